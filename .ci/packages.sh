@@ -5,7 +5,8 @@ step() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
 
 as_root() { if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi; }
 
-# A C compiler to link with, a software Vulkan driver in place of a GPU, a display for the window, and Python for tools.
+# A C compiler to link with, a software Vulkan driver in place of a GPU, a display for the window, and Python
+# for tools.
 packages=(gcc libc6-dev python3-venv mesa-vulkan-drivers xvfb libxcursor1 libxi6 libxkbcommon-x11-0)
 
 # Installs those of them, and of the further ones named, that are missing.

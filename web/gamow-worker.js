@@ -1,4 +1,5 @@
-// Another instance of the program, which works beside the page's own: it gets the compiled module, and then its jobs.
+// Another instance of the program, which works beside the page's own: it gets the compiled module, and then
+// its jobs.
 addEventListener('message', async ({ data }) => {
     try {
         const { default: start } = await import('./gamow-web.js');

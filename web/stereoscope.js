@@ -1,5 +1,5 @@
-// A phone as a stereoscope: what it needs of the browser beside the window. Each is asked for at a touch, where browsers demand one, and none of
-// it must be granted.
+// A phone as a stereoscope: what it needs of the browser beside the window. Each is asked for at a touch,
+// where browsers demand one, and none of it must be granted.
 const root = document.documentElement;
 root.dataset.screen = `${screen.width} ${screen.height}`;
 const tell = event => dispatchEvent(new Event(event));

@@ -10,7 +10,7 @@ const FRAMES: u32 = 3;
 /// Frames that take longer are timed singly, reading back included, which then matters little.
 const SLOW_MS: f64 = 100.0;
 
-/// The methods that can be measured with these `renderers`.
+/// The methods that can be measured with these `renderers`, but for the mesh, which draws what they do not.
 #[must_use]
 pub fn methods(renderers: &Renderers) -> Vec<Method> {
     let on_gpu = renderers.gpu().map(|_| Method::Rays);

@@ -1,5 +1,5 @@
-//! Files in and out: CSV, PNG, EXR and HTML, what is wrong with TOML, what files say of how they were made,
-//! and files written whole or not at all.
+//! Files in and out: CSV, PNG, GIF, EXR and HTML, what is wrong with TOML, what files say of how they were
+//! made, and files written whole or not at all.
 
 pub mod csv_in;
 pub mod csv_out;

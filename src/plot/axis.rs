@@ -16,8 +16,8 @@ const NARROWEST: f64 = 1e-9;
 /// Weight of a gap of the axis' whole length without a tick, in ticks too many or too few.
 const GAP_WEIGHT: f64 = 8.0;
 
-/// More ticks than this are not spaced evenly, nor such as are closer together than this part of their
-/// numbers.
+/// Greatest number of evenly spaced ticks, and greatest size of a number on their axis in steps from one to
+/// the next: beyond either there are none.
 const MOST_SPACED: i64 = 1000;
 const FINEST: f64 = 1e15;
 
@@ -320,6 +320,7 @@ mod tests {
         assert_eq!(texts(&Axis::fitted(true, [-0.1, 1.4], 5)), ["1", "2", "5", "10", "20"]);
         assert_eq!(texts(&Axis::fitted(true, [0.0, 0.15], 4)), ["1.0", "1.1", "1.2", "1.3", "1.4"]);
     }
+
     #[test]
     fn spaced_ticks_are_round_and_as_dense_as_allowed() {
         assert_eq!(texts(&Axis::spaced([-4.5, 4.9], 1.7)), ["−4", "−2", "0", "2", "4"]);

@@ -237,6 +237,7 @@ mod tests {
         };
         assert!((cost(1) - cost(3000)).abs() <= 2.0, "{} {}", cost(1), cost(3000));
     }
+
     #[test]
     fn names_of_marks_in_one_row_stand_above_each_other() {
         let mut labels = LabelPlaces::new(ROOM, 0.0);

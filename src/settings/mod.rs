@@ -1,5 +1,5 @@
-//! The one state: what the window remembers, the flags of the window and of `gamow render`, a state file, and
-//! what a picture records of how it was made.
+//! The one set of settings: what the window remembers, the flags of the window and of `gamow render`, a state
+//! file, and what a picture records of how it was made.
 //!
 //! A setting is one field here. Its name is the flag and the file's key, its doc comment the help and the
 //! window's tooltip, its parser the judge of its values, wherever they come from. A section is a heading of

@@ -99,7 +99,8 @@ export class Window {
         });
     }
 
-    // Opens the page with this fragment of its address, in a profile of its own where each page first runs `before`, and waits for the window.
+    // Opens the page with this fragment of its address, in a profile of its own where each page first runs
+    // `before`, and waits for the window.
     static async open(browser, address, fragment = '', before = () => {}) {
         const context = await browser.createBrowserContext();
         const page = await context.newPage();
@@ -139,7 +140,8 @@ export class Window {
         return this.page.evaluate(name => localStorage.getItem(name), name);
     }
 
-    // Waits for these milliseconds, and for the frames in which the window answers: a busy machine takes longer for them.
+    // Waits for these milliseconds, and for the frames in which the window answers: a busy machine takes
+    // longer for them.
     async rest(milliseconds) {
         await sleep(milliseconds);
         await this.page.evaluate(async () => {
@@ -227,7 +229,8 @@ export class Window {
         return this.page.evaluate(() => globalThis.answers);
     }
 
-    // The milliseconds of the tasks that held the page's thread for over 50 ms since the last call, the longest first.
+    // The milliseconds of the tasks that held the page's thread for over 50 ms since the last call, the
+    // longest first.
     longTasks() {
         return this.page.evaluate(() => globalThis.longTasks.splice(0).sort((a, b) => b - a));
     }

@@ -8,13 +8,14 @@ import { NOTHING, WEBGPU, Window, eventually, hasScreens, launch, openScreen, se
 
 // The desktop program, for its numbers.
 const GAMOW = process.env.GAMOW ?? 'target/release/gamow';
-// Places in a window of 1280 by 800 points: both eyes' views, the speed slider, a point of a globe, the button that stops
-// what is being saved.
+// Places in a window of 1280 by 800 points: both eyes' views, the speed slider, a point of a globe, the
+// button that stops what is being saved.
 const VIEWS = { x: 4, y: 64, width: 938, height: 240 };
 const SPEED = { from: [1019, 78], to: [1150, 78] };
 const POINT = [200, 150];
 const STOP = [738, 727];
-// In one of 360 by 740 points: the first lesson's button on the start page, its first answer, and the button that predicts.
+// In one of 360 by 740 points: the first lesson's button on the start page, its first answer, and the button
+// that predicts.
 const PHONE = [[110, 299], [60, 508], [300, 675]];
 // In one of 740 by 360 points: the button that closes the stereoscope's menu.
 const LOOK = [232, 281];
@@ -49,7 +50,8 @@ test('the first picture comes, and an address is what is shown', () => inWindow(
 test('the speed slider is dragged, and a point is clicked', () => inWindow('#scene=globe&beta=0.5', async window => {
     await window.drag(SPEED.from, SPEED.to);
     await eventually('the dragged speed', async () => Number((await window.settings()).get('beta')) !== 0.5);
-    // Clicks are repeated: where a frame takes longer than 0.8 s, a press that it parts from its release is no click.
+    // Clicks are repeated: where a frame takes longer than 0.8 s, a press that it parts from its release is
+    // no click.
     await eventually('the clicked point', async () => {
         await window.click(...POINT);
         await window.rest(1000);
@@ -411,7 +413,8 @@ test('a screen of two pixels a point is drawn sharply', async () => {
     }
 });
 
-// What draws the window, once it is shown; a canvas has one kind of graphics for good, and none while the page is loaded again.
+// What draws the window, once it is shown; a canvas has one kind of graphics for good, and none while the
+// page is loaded again.
 const graphicsOf = ({ page }) => page.evaluate(() => {
     const canvas = document.getElementById('gamow');
     return document.getElementById('loading').hidden && ['webgpu', 'webgl2'].find(kind => canvas.getContext(kind));

@@ -1,8 +1,9 @@
-"""How often the 95 % intervals of `gamow.fit` hold the truth, over speeds, noise and replicates; and a film, by Dask.
+"""How often the 95 % intervals of `gamow.fit` hold the truth, over speeds, noise and replicates; and a film, by
+Dask.
 
-`python examples/coverage_study.py [WORKERS]` runs both on a LocalCluster; on a cluster, pass its address to Client. Needs the packages
-`distributed` and, of this one, nothing else. The results are the same for any number of workers: each task has a seed that
-follows from its place in the study.
+`python examples/coverage_study.py [WORKERS]` runs both on a LocalCluster; on a cluster, pass its address to
+Client. Needs the packages `distributed` and, of this one, nothing else. The results are the same for any number
+of workers: each task has a seed that follows from its place in the study.
 """
 
 import itertools

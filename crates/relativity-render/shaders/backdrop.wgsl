@@ -1,6 +1,6 @@
 // The last pass: sky and resting ground, the bodies over them, and the sRGB curve.
 //
-// Repeats `backdrop.rs`, which says what each line is for and gives these.
+// Repeats `street/backdrop.rs`, which says what each line is for and gives these.
 
 // Whether this draws where the ground can be seen, with a road on it, and where house fronts can: of what
 // lies behind, each tile of the picture is drawn by one pipeline, with no more than what it shows.
@@ -183,7 +183,7 @@ fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
 }
 
 // Share of a road's light that the shadows of what touches it leave at `foot` from the camera: see
-// `contact.rs`.
+// `street/contact.rs`.
 fn left_by_contacts(foot: vec2f, pixel: vec2f) -> f32 {
     var left = 1.0;
     let from_middle = vec3f(foot, frame.ground.z) + frame.contact_eye.xyz;
@@ -257,7 +257,7 @@ fn unshouldered(colour: vec3f) -> vec3f {
     return colour * ((KNEE + (1.0 - KNEE) * (1.0 / left - 1.0)) / largest);
 }
 
-// What is received of paint on the street or of the sky, see `street_light.rs`.
+// What is received of paint on the street or of the sky, see `light/street_light.rs`.
 fn received_from_street(painted: vec3f, doppler: f32) -> vec3f {
     let octaves = log2(doppler);
     let tint = looked_up(STREET_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * (octaves * frame.street_light.x));

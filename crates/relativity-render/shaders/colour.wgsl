@@ -1,5 +1,5 @@
 // Received light: from a Doppler factor to linear sRGB. The same as `screen_light.rs`, `tone.rs`, `hatch.rs`
-// and `shade.rs`, by tables.
+// and `shade.rs` in `light/`, by tables.
 
 // How colours are found: 0 as at rest, 1 by one place in a table, 2 daylight, 3 by the Doppler factor, 4 the
 // street's daylight.
@@ -107,7 +107,7 @@ const PARTS = array<vec2f, 6>(
     vec2f(0.9662347571, 0.0856622462),
 );
 
-// `light` as of daylight; its parts as `daylight.rs` has them, the hottest first.
+// `light` as of daylight; its parts as `light/daylight.rs` has them, the hottest first.
 fn of_street_daylight(light: vec4f, shift: f32, facing: Facing) -> vec4f {
     let ahead = facing.ahead;
     let gamma = sqrt(1.0 + facing.rapid * facing.rapid);

@@ -1,6 +1,6 @@
 // One picture from those of two eyes.
 //
-// Repeats `compose.rs`, which says what is composed how and gives these.
+// Repeats `picture/compose.rs`, which says what is composed how and gives these.
 
 // What is composed: none of these is a clipped mixture.
 override HUE_KEPT: bool;

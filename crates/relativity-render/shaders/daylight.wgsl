@@ -1,4 +1,4 @@
-// The street's daylight as surfaces receive it: see `daylight.rs`.
+// The street's daylight as surfaces receive it: see `light/daylight.rs`.
 
 // How a surface moves through the street's light: its gamma beta there; and the cosine, in its own frame, of
 // the angle between its normal and its motion.

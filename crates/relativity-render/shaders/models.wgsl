@@ -1,5 +1,5 @@
-// Models of triangles, and rays against them: the records of `triangles/packed.rs`, which says what is in
-// them.
+// Models of triangles, and rays against them: the records of `geometry/triangles/packed.rs`, which says what
+// is in them.
 
 // Each model begins with a row of its own; rows are a power of two long.
 @group(0) @binding(2) var models: texture_2d<u32>;
@@ -104,7 +104,8 @@ fn side(first: vec2f, second: vec2f) -> f32 {
 }
 
 // Whether the ray meets the triangle: weights and distance, else a distance that is not above `behind`.
-// Reference: Woop, Benthin, Wald, Watertight ray/triangle intersection, as in `triangles/crossing.rs`.
+// Reference: Woop, Benthin, Wald, Watertight ray/triangle intersection, as in
+// `geometry/triangles/crossing.rs`.
 fn met_triangle(ray: Sheared, triangle: Triangle, is_two_sided: bool, behind: f32) -> vec4f {
     let a = sheared_corner(triangle.a, ray);
     let b = sheared_corner(triangle.b, ray);

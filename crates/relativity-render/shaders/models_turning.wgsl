@@ -1,4 +1,4 @@
-// Rays against models of triangles that turn: arc by arc, as `wheel/model.rs` searches in f64.
+// Rays against models of triangles that turn: arc by arc, as `scene/wheel/model.rs` searches in f64.
 
 // Greatest distance of an arc from its chord, in parts of how far the model reaches from the axle, and
 // greatest number of arcs.

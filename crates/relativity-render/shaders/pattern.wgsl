@@ -1,6 +1,6 @@
 // Patterns on bodies: the share of its light, in (0, 1], that a body shows where a ray meets it.
 //
-// Repeats `pattern/mod.rs`, which says what each line is for and gives these. Each shape has
+// Repeats `scene/pattern/mod.rs`, which says what each line is for and gives these. Each shape has
 // `normal_at` and `darkness`, in the body's own axes.
 
 // Whether any body of this draw carries a pattern.

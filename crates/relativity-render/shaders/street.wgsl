@@ -1,6 +1,6 @@
 // House fronts beside a road, an upright plane.
 //
-// Repeats `house_fronts.rs`, which says what each line is for and gives these.
+// Repeats `street/house_fronts.rs`, which says what each line is for and gives these.
 
 override HOUSE_WIDTH: f32;
 override FRAME_WIDTH: f32;

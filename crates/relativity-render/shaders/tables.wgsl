@@ -1,6 +1,6 @@
-// The tables of colours, see `palette.rs`, and the shoulder of `tone.rs`.
+// The tables of colours, see `light/palette.rs`, and the shoulder of `light/tone.rs`.
 
-// A table per row, see `palette.rs`; the last component is log2 of what the colour is multiplied by.
+// A table per row, see `light/palette.rs`; the last component is log2 of what the colour is multiplied by.
 @group(0) @binding(1) var tables: texture_2d<f32>;
 
 // Up to here light is shown as it is.

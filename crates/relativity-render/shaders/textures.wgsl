@@ -1,5 +1,5 @@
-// The textures of models, by the steps of `triangles/texture.rs`; `triangles/packed.rs` says how they are
-// stored.
+// The textures of models, by the steps of `geometry/triangles/texture.rs`; `packed.rs` there says how they
+// are stored.
 
 // As `Wrap`; copies follow each other where it is neither.
 const MIRROR = 1u;

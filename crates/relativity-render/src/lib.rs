@@ -4,7 +4,7 @@
 //! A group is ray-traced exactly in its rest frame: the camera's event and each line of sight are boosted
 //! there, where rays are straight and bodies stand still. [`PreparedScene`] holds what no view changes,
 //! [`View`] and [`Appearance`] say what is seen and how it looks, and [`Renderers`] draw that by
-//! any [`Method`]: the f64 reference on the CPU, a ray test per pixel on the GPU or, in f32, on the CPU, or
+//! any [`Method`]: the f64 reference on the CPU, a ray test per pixel in f32 on the GPU or on the CPU, or
 //! triangles. Conventions are those of [`relativity_core`].
 //!
 //! # Scope

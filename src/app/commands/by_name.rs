@@ -8,7 +8,7 @@ use crate::settings::Settings;
 
 impl State {
     /// Gives the setting of this name another value, as its control does.
-    pub(in crate::app) fn set_by_name(&mut self, name: &str, value: &str) {
+    pub(super) fn set_by_name(&mut self, name: &str, value: &str) {
         let before = Settings::clone(&self.document.settings);
         match before.clone().with_value(name, value) {
             Ok(settings) => changes(&before, settings).for_each(|command| self.perform(command)),

@@ -14,23 +14,24 @@ pub const LOOK_STEP: f64 = 0.05;
 /// A change of the gaze or of the field of view.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GazeCommand {
-    /// Turn the gaze so that what is seen at a place is seen at another, and keep it there.
+    /// Turns the gaze so that what is seen at a place is seen at another, and keeps it there.
     Turn(Turn),
-    /// Multiply the field of view; what is seen at a place stays there.
+    /// Multiplies the field of view; what is seen at a place stays there.
     Zoom(Zoom),
-    /// Multiply the field of view; what is seen in the middle stays there.
+    /// Multiplies the field of view; what is seen in the middle stays there.
     Magnify(f64),
-    /// Look aside: to the right and up, in widths of a view.
+    /// Looks aside: to the right and up, in widths of a view.
     Aside([f64; 2]),
-    /// Hold the whole scene in the views.
+    /// Has the whole scene in the views.
     Whole,
-    /// Holds the whole scene in the views after a double click, whose first click may have picked a point:
+    /// Has the whole scene in the views after a double click, whose first click may have picked a point:
     /// running it takes that back.
     WholeAgain,
 }
 
 impl State {
-    pub(in crate::app) fn perform_gaze(&mut self, command: GazeCommand) {
+    /// Performs a change of the gaze or of the field of view.
+    pub(super) fn perform_gaze(&mut self, command: GazeCommand) {
         match command {
             GazeCommand::Turn(turn) => self.turn(turn),
             GazeCommand::Zoom(zoom) => self.zoom(zoom),

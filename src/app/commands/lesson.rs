@@ -65,7 +65,7 @@ impl State {
     }
 
     /// Performs a command of the lesson.
-    pub(in crate::app) fn perform_lesson(&mut self, command: LessonCommand) {
+    pub(super) fn perform_lesson(&mut self, command: LessonCommand) {
         if let LessonCommand::Open(name) = command {
             let opened = self.library().open(&name).and_then(|lesson| self.begin_lesson(&lesson));
             if let Err(error) = opened {
@@ -231,17 +231,17 @@ impl State {
 
     /// Whether a click into a view answers the lesson; then it does.
     pub(in crate::app) fn predicts_by(&mut self, pick: &Pick) -> bool {
-        let commands = matches!(
+        let is_asked = matches!(
             self.course().and_then(Course::asked),
             Some(Prediction { kind: AnswerKind::Point(_), .. })
         );
-        if commands {
+        if is_asked {
             let direction = self.view(pick.eye, pick.size).camera.line_of_sight(pick.pixel);
             let answer = Answer::Direction(Gaze::along(direction.into()));
             if let Some(running) = &mut self.session.lesson {
                 running.course.draft = Some(answer);
             }
         }
-        commands
+        is_asked
     }
 }

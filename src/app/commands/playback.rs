@@ -29,7 +29,7 @@ impl State {
         }
     }
 
-    pub(in crate::app) fn step_in_time(&mut self, steps: i32) {
+    fn step_in_time(&mut self, steps: i32) {
         let size = clock::step_size(self.time_range());
         // Onto the multiples of the step, so that stepping gives round times.
         let next = (self.document.time / size).round() + f64::from(steps);
@@ -37,7 +37,7 @@ impl State {
         self.scratch.playing = false;
     }
 
-    pub(in crate::app) fn go_within_range(&mut self, fraction: f64) {
+    fn go_within_range(&mut self, fraction: f64) {
         self.document.time = clock::bounded(time_within(self.time_range(), fraction));
     }
 
@@ -63,7 +63,7 @@ impl State {
         }
     }
 
-    pub(in crate::app) fn toggle_playing(&mut self) {
+    fn toggle_playing(&mut self) {
         let [from, to] = self.time_range();
         self.scratch.playing = !self.scratch.playing;
         // Play at the end means play again.

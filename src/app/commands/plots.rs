@@ -1,13 +1,12 @@
 //! The plots against T: another part of them, cursors and pins.
 
-use crate::app::tools::clock;
-
 use crate::app::state::State;
 use crate::app::state::plots::look::{Pin, PlotCommand};
+use crate::app::tools::clock;
 
 impl State {
     /// Performs a command of the plots.
-    pub fn perform_plots(&mut self, command: PlotCommand) {
+    pub(super) fn perform_plots(&mut self, command: PlotCommand) {
         let (point, now) = (*self.document.points.selected(), self.document.time);
         let pin = Pin { point, seen: self.seen_point(&point) };
         let plotting = &mut self.scratch.plotting;

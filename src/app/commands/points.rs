@@ -52,7 +52,7 @@ impl State {
         }
     }
 
-    pub(in crate::app) fn follow_next(&mut self, steps: isize) {
+    fn follow_next(&mut self, steps: isize) {
         let scene = &self.document.scene;
         let body = self.document.points.selected().body.or_else(|| scene.tracked_body());
         let next = body.unwrap_or(0).wrapping_add_signed(steps);

@@ -5,7 +5,7 @@ use crate::app::state::measuring::angle_ruler::{AngleRuler, Laid, RulerCommand, 
 
 impl State {
     /// Performs a command about the ruler.
-    pub(in crate::app) fn perform_ruler(&mut self, command: RulerCommand) {
+    pub(super) fn perform_ruler(&mut self, command: RulerCommand) {
         self.scratch.angle_ruler = match (command, self.scratch.angle_ruler) {
             (RulerCommand::Toggle, AngleRuler::Off) => AngleRuler::Armed,
             (RulerCommand::Toggle, _) => AngleRuler::Off,

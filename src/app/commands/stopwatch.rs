@@ -9,7 +9,7 @@ use crate::eye::Eye;
 
 impl State {
     /// Performs a command about the stopwatch.
-    pub(in crate::app) fn perform_stopwatch(&mut self, command: StopwatchCommand) {
+    pub(super) fn perform_stopwatch(&mut self, command: StopwatchCommand) {
         let now = self.mark();
         self.scratch.stopwatch = match (command, &self.scratch.stopwatch) {
             (StopwatchCommand::Press, Stopwatch::Running(from)) => {

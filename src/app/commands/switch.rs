@@ -28,7 +28,8 @@ pub enum Switch {
 }
 
 impl State {
-    pub(in crate::app) fn perform_switch(&mut self, switch: Switch) {
+    /// Gives a setting its next value.
+    pub(super) fn perform_switch(&mut self, switch: Switch) {
         let settings = &mut self.document.settings;
         match switch {
             Switch::Projection => settings.look.projection = settings.look.projection.toggled(),

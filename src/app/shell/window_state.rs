@@ -36,8 +36,8 @@ impl WindowState {
         self.0.run(command);
     }
 
-    /// Lets T run by a `step` of the wall clock, seconds; while somebody pushes the pedals, the push moves
-    /// it.
+    /// Lets T run by a `step` of the wall clock, seconds; while the pedals are pushed, the push moves T in
+    /// its place.
     pub fn advance(&mut self, step: f64, is_pushed: bool) {
         self.0.advance(step, is_pushed);
     }
@@ -94,13 +94,13 @@ impl WindowState {
         self.0.exchange(settings)
     }
 
-    /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; returns
-    /// those that it had.
+    /// Puts the settings of the second of two pictures of one eye in place of its own, if it `is_second` and
+    /// there is one; returns its own.
     pub fn enter(&mut self, is_second: bool) -> Option<Shared<Settings>> {
         self.0.enter(is_second)
     }
 
-    /// Has these settings again, if there are any.
+    /// Puts back the settings that [`Self::enter`] returned, if any.
     pub fn leave(&mut self, kept: Option<Shared<Settings>>) {
         self.0.leave(kept);
     }

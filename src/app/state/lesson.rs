@@ -7,35 +7,35 @@ use crate::settings::{Settings, WindowSettings};
 /// A command of a lesson.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LessonCommand {
-    /// Begin the lesson of this name.
+    /// Begins the lesson of this name.
     Open(String),
-    /// Enter this for the prediction.
+    /// Enters this for the prediction.
     Draft(Option<Answer>),
-    /// Set how sure the prediction is.
+    /// Sets how sure the prediction is.
     Confidence(Option<Confidence>),
-    /// Make the prediction that was entered.
+    /// Makes the prediction that was entered.
     Predict,
     /// Goes on without an answer.
     Skip,
-    /// Tell what was seen: the answer of this number.
+    /// Tells what was seen: the answer of this number.
     Observe(usize),
-    /// Go on; what is predicted and not entered is skipped.
+    /// Goes on; a prediction that was not made is skipped.
     Forward,
     /// Goes back to the place before.
     Back,
-    /// Go there, or as far as one can.
+    /// Goes there, or as far as one can.
     GoTo(Place),
     /// Restores the state that the lesson has at this place, and plays its reveal again.
     SetUp,
     /// Starts or ends counting raised hands.
     ToggleClass,
-    /// Show the usual plots beside a curve that was predicted, or the curve again.
+    /// Shows the usual plots in place of a curve that was predicted, or the curve again.
     ShowPlots(bool),
-    /// Fold the lesson's panel to a strip, or unfold it.
+    /// Folds the lesson's panel to a strip, or unfolds it.
     ToggleFolded,
     /// Starts the lesson again, with its answers forgotten.
     BeginAnew,
-    /// End the lesson: its answers are kept, and opening it again takes it up where it was.
+    /// Ends the lesson: its answers are kept, and opening it again takes it up where it was.
     Close,
 }
 

@@ -12,7 +12,7 @@ pub enum Order {
     Save(Saving),
     /// Copies something to the clipboard.
     Copy(Copied),
-    /// Give up what is being made.
+    /// Gives up what is being made.
     Stop,
 }
 

@@ -161,7 +161,7 @@ impl<'a> ExaminedMethod<'a> {
 }
 
 impl Examination {
-    /// Nothing is known yet. Without a `gpu` there is only the reference to measure.
+    /// Nothing is known yet. Without a `gpu` only packets and the reference are measured.
     #[must_use]
     pub fn new(ctx: &Context, gpu: Option<Gpu>) -> Self {
         let has_gpu = gpu.is_some();

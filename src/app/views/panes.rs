@@ -9,8 +9,8 @@ use crate::eye::Eye;
 use crate::flags::choices::{Form, Layout};
 use crate::settings::{PictureSettings, Settings};
 
-/// The contents of a pane. To add one, add a variant, a file in `panels`, an arm where panes are painted, and
-/// its switch among the settings.
+/// The contents of a pane. To add one, add a variant, a file in `panels`, an arm in `shell/panes.rs`, and its
+/// switch among the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PaneContent {
     /// The view of one eye.

@@ -1,5 +1,5 @@
-//! Bounds of the automatic choice, held against the reference: in all views in which methods are measured, of
-//! all scenes.
+//! Stated errors, by which the automatic choice chooses, held against the reference: in all views in which
+//! methods are measured, of all scenes.
 
 use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, Method, Renderers, View};

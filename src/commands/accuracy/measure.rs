@@ -24,7 +24,7 @@ const QUICK_BETAS: [f64; 3] = [0.0, 0.9, 0.9999];
 const GAMMAS: [f64; 2] = [100.0, 1000.0];
 const QUICK_EFFORT: Effort = Effort { outline_places: 12, rounds: 1 };
 
-/// Measures every renderer in every view of `scene`, called `scene_name`.
+/// Measures rays, packets and the reference in every view of `scene`, called `scene_name`.
 ///
 /// # Errors
 ///

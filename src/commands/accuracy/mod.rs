@@ -13,8 +13,8 @@ use crate::flags::choices::Size;
 use crate::scene::Scene;
 use crate::settings::SCENE_HELP;
 
-/// Measures speed against accuracy: each renderer's cost on this machine, and its error against the f64
-/// reference.
+/// Measures speed against accuracy: what rays, packets and the f64 reference cost on this machine, and how
+/// far rays and packets are off that.
 ///
 /// Views are of the tracked point seen approaching (at x = -3 R, R being its distance at x = 0), abreast
 /// (x = 0) and receding (x = +3 R), from rest to gamma = 1000. Nothing is stored from earlier runs. Costs are

@@ -88,7 +88,7 @@ impl Drop for Instance {
 pub enum Asked {
     /// A job: its number, and its two parts.
     Job(u64, Option<Vec<u8>>, Vec<u8>),
-    /// Give up what was sent.
+    /// Gives up what was sent.
     Stop,
 }
 

@@ -9,8 +9,8 @@ use crate::fit::trial::Trial;
 use crate::math;
 use crate::threads::prelude::*;
 
-// What is lost with other values is that of 100 to 150 cases of `examples/coverage.rs`, seed 7, Delta-phi
-// alone.
+// What is lost with other values was counted in 100 to 150 noisy curves of Delta-phi alone, over beta 0.1 to
+// 0.99, y and |z| 0.3 to 10, d 0.05 to 0.5, and noise of 0.1 to 2 % of each curve's range.
 
 /// Evaluations per parameter that every start gets (with 1 a minimum is lost, with 4 no more is found), that
 /// those followed get (3 lose none either), and that the minimum gets: the solver's own number.

@@ -32,8 +32,8 @@ const PASSAGE: [f64; 25] = [
 
 /// Features by which the time of passage is found.
 const FEATURES: usize = 3;
-/// Greatest number of starts. A quarter of them loses no minimum in 100 cases of `examples/coverage.rs`; the
-/// rest is for the worst.
+/// Greatest number of starts. A quarter of them loses no minimum in 100 noisy curves; the rest is for the
+/// worst.
 const STARTS: usize = 56;
 
 /// A start, and how badly it fits.

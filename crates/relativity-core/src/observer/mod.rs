@@ -105,7 +105,8 @@ impl Observer {
     /// ```
     /// use relativity_core::{Aperture, Model, Observer, ObserverVelocity, SourcePoint, Speed};
     ///
-    /// // From a bicycle at 0.9 c a lamp 3 aside and 2 up is seen ahead, and blue, while one is beside it already.
+    /// // From a bicycle at 0.9 c a lamp 3 aside and 2 up is seen ahead, and blue, while one is beside it
+    /// // already.
     /// let velocity = ObserverVelocity::along_street(Speed::from_beta(0.9)?);
     /// let rider = Observer { velocity, place: [0.0; 3], time: 0.0 };
     /// let lamp = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };

@@ -73,8 +73,8 @@ pub fn linear_srgb(wavelength_nm: f64) -> [f64; 3] {
     spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm))
 }
 
-/// Returns the share of light of `wavelength_nm` that eyes do not see, with the sign of `hatch.rs`: 1 above
-/// [`VISIBLE_NM`] (infrared), -1 below (ultraviolet); none from 420 nm to 710 nm.
+/// Returns the share of light of `wavelength_nm` that eyes do not see, with the sign of `light/hatch.rs`: 1
+/// above [`VISIBLE_NM`] (infrared), -1 below (ultraviolet); none from 420 nm to 710 nm.
 #[must_use]
 pub fn unseen_line(wavelength_nm: f64) -> f64 {
     let is_long = wavelength_nm > 0.5 * (VIOLET_END_NM[1] + RED_END_NM[0]);
@@ -83,7 +83,7 @@ pub fn unseen_line(wavelength_nm: f64) -> f64 {
 }
 
 /// Returns the share of the light of a body that glows at 2^`log2_kelvin` that eyes do not see, with the sign
-/// of `hatch.rs`: 1 (infrared) up to 1000 K, 0 from 3500 K.
+/// of `light/hatch.rs`: 1 (infrared) up to 1000 K, 0 from 3500 K.
 #[must_use]
 pub fn unseen_glow(log2_kelvin: f64) -> f64 {
     1.0 - smoothstep(UNSEEN_GLOW_KELVIN.map(log2), log2_kelvin)

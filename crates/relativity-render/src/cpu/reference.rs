@@ -1,8 +1,8 @@
 //! The f64 renderer on the CPU: the truth the other renderers are held against.
 //!
 //! Each ray is boosted into the rest frame of each group of bodies, where it is straight (see
-//! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees. How
-//! accurate that is says [`Method::Reference`](crate::Method::Reference).
+//! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees.
+//! [`Method::Reference`](crate::Method::Reference) says how accurate that is.
 
 use glam::DVec3;
 

@@ -19,7 +19,7 @@ impl Corner {
     };
 }
 
-/// The corners of a division, and the triangles between them, counter-clockwise as seen from outside.
+/// The corners of a grid over a shape, and the triangles between them, counter-clockwise from outside.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Template {
     pub corners: Vec<Corner>,

@@ -6,8 +6,8 @@
 //! the greatest difference between the paint's own primaries, 0.07 for walls and 0.32 for the sky; a test
 //! below holds it against spectra of daylight reflected by smooth paints.
 //!
-//! The shaders' `received_from_street` and `packets/street/backdrop.rs` do the same by a row of the tables of
-//! `palette.rs`.
+//! The shaders' `received_from_street` and `cpu/packets/street/backdrop.rs` do the same by a row of the
+//! tables of `palette.rs`.
 
 use relativity_core::math::{exp2, log2};
 

@@ -9,7 +9,7 @@
 //! road is gamma (`e_x` + v (|f| - |p|)) along the motion from the touching place in the body's frame,
 //! and |f| - |p| = e.(f + p)/(|f| + |p|). So nothing is left of the distance, which can be great there. In a
 //! picture without delay v is 0, and gamma contracts the stain. `shaders/backdrop.wgsl` and
-//! `packets/street/contact.rs` draw the same, with the same constants.
+//! `cpu/packets/street/contact.rs` draw the same, with the same constants.
 
 use std::array;
 

@@ -3,7 +3,7 @@
 //!
 //! They are like a group at rest, seen through the same aberration as a group of bodies. All of it is drawn
 //! on the ground, from the camera's event there; only lines of sight and the size of a pixel are brought
-//! there first. The shaders' `street_sight` and `packets/street/backdrop.rs` do the same.
+//! there first. The shaders' `line_on_ground` and `cpu/packets/street/backdrop.rs` do the same.
 
 use glam::{DMat3, DVec3};
 

@@ -2,7 +2,7 @@
 //!
 //! A group rests in a frame of its own, in which its bodies stand still and rays are straight. Each formula
 //! is written for motion along +x alone, in axes along the group's motion past the camera: see
-//! `relative_velocity.rs`.
+//! `kinematics/relative_velocity.rs`.
 
 use glam::DVec3;
 use relativity_core::{

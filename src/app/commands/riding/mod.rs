@@ -19,8 +19,8 @@ const FOV: f64 = 90.0;
 const START: f64 = -20.0;
 
 impl State {
-    /// Does what a rider asks for.
-    pub(in crate::app) fn perform_ride(&mut self, command: RideCommand) {
+    /// Performs a command of the rider.
+    pub(super) fn perform_ride(&mut self, command: RideCommand) {
         match command {
             RideCommand::Toggle if self.document.settings.ride.is_on() => self.get_off(),
             RideCommand::Toggle => self.get_on(),

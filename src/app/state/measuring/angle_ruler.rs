@@ -51,7 +51,7 @@ pub struct Lay {
     pub size: [u32; 2],
 }
 
-/// Something to do with the ruler.
+/// A command about the ruler.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RulerCommand {
     /// Has the next drag lay one, or if there is one takes it away.

@@ -57,7 +57,7 @@ pub struct SeenClock {
     pub rate: f64,
 }
 
-/// Something to do with the stopwatch.
+/// A command about the stopwatch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StopwatchCommand {
     /// Shows, starts, stops or restarts the stopwatch.

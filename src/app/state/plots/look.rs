@@ -37,13 +37,13 @@ pub struct Pin {
 /// A command of the plots.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlotCommand {
-    /// Look at a part of a plot, or at the whole.
+    /// Looks at a part of a plot, or at the whole.
     Look(Quantity, Option<Ranges>),
-    /// Look at the whole of every plot.
+    /// Looks at the whole of every plot.
     Whole,
-    /// Set the first cursor at this T, or at the present one; then the second; then remove both.
+    /// Sets the first cursor at this T, or at the present one; then the second; then removes both.
     Cursor(Option<f64>),
-    /// Keep the curves of the selected point, in place of the oldest where there are [`MAX_PINS`].
+    /// Keeps the curves of the selected point, in place of the oldest where there are [`MAX_PINS`].
     Pin,
     /// Removes all pins.
     Unpin,

@@ -11,14 +11,14 @@ impl State {
         std::mem::replace(&mut self.document.settings, settings)
     }
 
-    /// Has the settings of the second of two pictures of one eye, if it `is_second` and there is one; then
-    /// those that it had.
+    /// Puts the settings of the second of two pictures of one eye in place of its own, if it `is_second` and
+    /// there is one; returns its own.
     pub(in crate::app) fn enter(&mut self, is_second: bool) -> Option<Shared<Settings>> {
         let second = if is_second { self.second_settings() } else { None }?;
         Some(self.exchange(second))
     }
 
-    /// Has these settings again, if there are any.
+    /// Puts back the settings that [`Self::enter`] returned, if any.
     pub(in crate::app) fn leave(&mut self, kept: Option<Shared<Settings>>) {
         if let Some(kept) = kept {
             self.exchange(kept);

@@ -9,15 +9,15 @@ use crate::settings::{Rider, Riding};
 /// A command of the rider.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RideCommand {
-    /// Get on the bicycle, or off it.
+    /// Gets on the bicycle, or off it.
     Toggle,
-    /// Ride in this way from now on: the speed at the start, the place and the legs.
+    /// Rides in this way from now on: the speed at the start, the place and the legs.
     Set(Riding),
-    /// Pedal or brake until this speed is reached.
+    /// Pedals or brakes until this speed is reached.
     Reach(StreetVelocity),
-    /// Face where one moves: the head and the gaze, as high as that was.
+    /// Faces where one moves: the head and the gaze, as high as that was.
     Face,
-    /// A push in this direction for this step of the rider's clock.
+    /// Pushes in this direction for this step of the rider's clock.
     Push(PushDirection, f64),
 }
 

@@ -31,7 +31,7 @@ type Numbered<W> = (u64, <W as Work>::Base, <W as Work>::Job);
 
 /// The place where the work is done.
 enum Workplace<W: Work> {
-    /// No place is chosen before the first job.
+    /// None yet: the first job has an instance started.
     Open,
     /// An instance that does not listen yet, and the newest job.
     Starting(Instance, Option<Numbered<W>>),
@@ -109,7 +109,7 @@ impl<W: Work, L: 'static> BackgroundWork<W, L> {
 }
 
 impl<W: Work, L: 'static> WorkExchange<W, L> {
-    /// The place of the work: an instance, unless the browser refuses one.
+    /// Starts an instance; where the browser refuses, the page says so in place of the window.
     fn begun(shared: &Rc<Self>) -> Workplace<W> {
         let shared = Rc::downgrade(shared);
         let hear = move |heard| {

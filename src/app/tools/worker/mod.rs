@@ -1,5 +1,4 @@
-//! Work in the background: on the desktop in a thread, in a page in another instance of the program or
-//! between two frames.
+//! Work in the background: on the desktop in a thread, in a page in another instance of the program.
 
 #[cfg(not(feature = "desktop"))]
 mod instance;

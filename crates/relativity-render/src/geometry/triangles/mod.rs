@@ -2,8 +2,8 @@
 //!
 //! A triangle is flat in its rest frame, where rays are straight: so the ray of a pixel meets it exactly, and
 //! what light makes of it in a picture (a curved triangle) needs no division. Along the light to a model that
-//! turns, which is a curve for it, rays are followed in arcs (`wheel/model.rs`). One hierarchy of boxes,
-//! built once, serves every speed, time and eye.
+//! turns, which is a curve for it, rays are followed in arcs (`scene/wheel/model.rs`). One hierarchy of
+//! boxes, built once, serves every speed, time and eye.
 //!
 //! # Light
 //!
