@@ -215,7 +215,8 @@ impl Studio {
     #[must_use]
     pub fn report(&self) -> String {
         let size = self.settings.picture.size;
-        format!("{}; {size} per eye\n{}", self.painter.description(), self.timings)
+        let [_, view] = self.settings.views(self.subject(), 0.0, size.0);
+        format!("{}; {size} per eye\n{}", self.painter.description(&view), self.timings)
     }
 }
 

@@ -9,6 +9,7 @@ use relativity_render::{
 
 use crate::accuracy::{Automatic, Choice, Machine, MethodViews};
 use crate::flags::choices::{ProjectionChoice, RendererChoice};
+use crate::number_text;
 use crate::settings::{QualitySettings, Settings};
 
 /// A method, and the renderers that draw by it.
@@ -161,9 +162,9 @@ impl Painter {
         Ok(self.renderers.hits(self.method, scene, view)?)
     }
 
-    /// Returns a description of the painter, for a reader.
+    /// Returns a description of the painter of `view`, for a reader.
     #[must_use]
-    pub fn description(&self) -> String {
+    pub fn description(&self, view: &View) -> String {
         let device = self.renderers.gpu().map(Gpu::description).unwrap_or_default();
         let method = match self.method {
             Method::Reference => {
@@ -172,7 +173,10 @@ impl Painter {
             }
             Method::Rays => format!("rays, f32 on {device}"),
             Method::Packets => format!("packets, f32 on {} threads", threads::count()),
-            Method::Mesh => format!("mesh within {} px, f32 on {device}", Method::MESH_ERROR_PX),
+            Method::Mesh => {
+                let error_px = number_text::trimmed(Method::mesh_error_px(view), 3);
+                format!("mesh within {error_px} px, f32 on {device}")
+            }
         };
         match self.automatic.as_ref().and_then(|choosing| choosing.choice) {
             Some(choice) => format!("{method}; automatic: {choice}"),

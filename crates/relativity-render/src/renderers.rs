@@ -95,12 +95,18 @@ pub enum Method {
 
 impl Method {
     /// Greatest distance at which the mesh draws a point from where it is seen, pixels, in pictures with up
-    /// to [`Self::MESH_PX_PER_RADIAN`]. Its triangles are the same in every picture, so the distance grows in
-    /// proportion in finer ones.
+    /// to 1,000 pixels per radian. Its triangles are the same in every picture, so the distance grows in
+    /// proportion in finer ones: [`Self::mesh_error_px`].
     pub const MESH_ERROR_PX: f64 = 0.5;
 
     /// Pixels per radian up to which the mesh keeps [`Self::MESH_ERROR_PX`].
-    pub const MESH_PX_PER_RADIAN: f64 = 1000.0;
+    const MESH_PX_PER_RADIAN: f64 = 1000.0;
+
+    /// Returns the greatest distance at which the mesh draws a point of `view` from where it is seen, pixels.
+    #[must_use]
+    pub fn mesh_error_px(view: &View) -> f64 {
+        Self::MESH_ERROR_PX * (view.camera.px_per_radian() / Self::MESH_PX_PER_RADIAN).max(1.0)
+    }
 
     /// Whether it draws on the CPU, and so needs no GPU.
     #[must_use]

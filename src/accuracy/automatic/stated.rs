@@ -35,9 +35,7 @@ pub struct StatedMethod {
 pub fn candidates(has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<StatedMethod> {
     let f32_error_px = f32_error_px(scene, view);
     let is_mesh_of_use = Method::Rays.of_view(view) != Method::Rays || has_large_model(scene);
-    let finer = (view.camera.px_per_radian() / Method::MESH_PX_PER_RADIAN).max(1.0);
-    let mesh_error_px = f32_error_px.max(finer * Method::MESH_ERROR_PX);
-    let mesh = is_mesh_of_use.then_some((Method::Mesh, mesh_error_px));
+    let mesh = is_mesh_of_use.then(|| (Method::Mesh, f32_error_px.max(Method::mesh_error_px(view))));
     let exact = [Method::Packets, Method::Rays].map(|method| (method, f32_error_px));
     let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(mesh);
     let is_drawn = |method: Method| (has_gpu || method.is_on_cpu()) && method.of_view(view) == method;

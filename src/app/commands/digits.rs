@@ -16,7 +16,7 @@ fn pressed(event: &Event) -> Option<(Key, usize)> {
     let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
     let is_alone = !modifiers.command && !modifiers.alt;
     // No choice has the 0; it is a digit of a count.
-    let number = if *key == Key::Num0 { Some(KEYS.len()) } else { KEYS.iter().position(|of| of == key) };
+    let number = if *key == Key::Num0 { Some(usize::MAX) } else { KEYS.iter().position(|of| of == key) };
     number.filter(|_| is_alone).map(|number| (*key, number))
 }
 

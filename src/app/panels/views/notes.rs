@@ -75,16 +75,18 @@ const NOTICEABLE_STRETCH: f64 = 1.15;
 
 /// Returns the method that has drawn the picture, where that was set or is further off than can be seen.
 fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
-    let geometry = state.view(eye, state.frame.picture_size).geometry;
+    let view = state.view(eye, state.frame.picture_size);
     let Some(set) = state.document.settings.quality.method() else {
-        let choice = state.choice(geometry)?;
+        let choice = state.choice(view.geometry)?;
         return (choice.error_px > UNSEEN_PX || !choice.holds).then(|| format!("automatic: {choice}"));
     };
     match drawn {
         Method::Rays if set == Method::Rays => None,
         Method::Rays => Some("rays, until the reference is done".to_owned()),
         Method::Packets => Some("packets".to_owned()),
-        Method::Mesh => Some(format!("mesh within {} px", number_text::trimmed(Method::MESH_ERROR_PX, 3))),
+        Method::Mesh => {
+            Some(format!("mesh within {} px", number_text::trimmed(Method::mesh_error_px(&view), 3)))
+        }
         Method::Reference => Some("reference".to_owned()),
     }
 }

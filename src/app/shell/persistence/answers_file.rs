@@ -44,8 +44,6 @@ impl AnswersFiles {
     pub fn load(&mut self, problems: &mut Vec<String>) -> Answers {
         let mut paths = files::list_folder(&self.folder).unwrap_or_default();
         paths.retain(|path| path.extension().is_some_and(|ending| ending == "json"));
-        // Builds before the first release had one file for all lessons, which is moved aside.
-        paths.extend(Some(self.folder.with_extension("json")).filter(|old| files::is_there(old)));
         for path in paths {
             let mut file = KeptFile::new(path);
             let read = file.read().and_then(|text| {

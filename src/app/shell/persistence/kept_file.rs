@@ -54,7 +54,7 @@ impl KeptFile {
         match files::rename(&self.path, &aside) {
             Ok(()) => format!("The old file is kept as {}.", files::shown(&aside)),
             Err(error) => {
-                let reason = format!("it cannot be read, and not be moved aside ({error})");
+                let reason = format!("it cannot be moved aside ({error})");
                 let text = format!("{} stays as it is: {reason}.", self.shown());
                 self.untouchable = Some(reason);
                 text
