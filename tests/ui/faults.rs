@@ -97,7 +97,8 @@ fn a_lost_device_closes_the_window_and_leaves_its_state() {
     assert_eq!(harness.state().loss(), None);
     let before = harness.state().state().clone();
     render_state.device.destroy();
-    let _ = render_state.device.poll(wgpu::PollType::Poll);
+    // The loss is told once what was submitted before it is done.
+    let _ = render_state.device.poll(wgpu::PollType::wait_indefinitely());
     harness.step();
     assert!(harness.state().loss().is_some());
     let mut asked = harness.output().viewport_output.values().flat_map(|output| &output.commands);
