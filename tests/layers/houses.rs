@@ -81,6 +81,7 @@ pub const RENDERERS: House = House {
         ],
     }],
     strangers: &[["gpu/", "cpu/"]],
+    only_in: &[("gpu/", &["wgpu"])],
     never: &["std::fs", "std::time", "std::thread", "rayon", "egui", "eframe"],
     ..PLAIN
 };

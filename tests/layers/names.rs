@@ -6,15 +6,14 @@ use std::path::Path;
 
 use super::read_folder;
 
-/// The crates, from the root.
-const CRATES: [&str; 6] = [
-    ".",
-    "crates/relativity-core",
-    "crates/relativity-render",
-    "crates/gamow-platform",
-    "crates/gamow-python",
-    "crates/gamow-web",
-];
+/// Returns the folders of all crates, from the root.
+fn crates() -> Vec<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates");
+    let entries = std::fs::read_dir(folder).expect("it can be listed");
+    let name = |entry: std::fs::DirEntry| format!("crates/{}", entry.file_name().to_string_lossy());
+    let others = entries.map(|entry| name(entry.expect("it can be listed")));
+    [".".to_owned()].into_iter().chain(others).collect()
+}
 
 fn is_in_word(letter: char) -> bool {
     letter.is_ascii_alphanumeric() || letter == '_'
@@ -65,10 +64,10 @@ fn read_all(folder: &Path) -> String {
 fn names_in_the_comments_of_functions_exist() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut faults = Vec::new();
-    for name in CRATES {
+    for name in crates() {
         let mut sources = BTreeMap::new();
-        read_folder(&root.join(name).join("src"), "", &mut sources);
-        let shaders = read_all(&root.join(name).join("shaders"));
+        read_folder(&root.join(&name).join("src"), "", &mut sources);
+        let shaders = read_all(&root.join(&name).join("shaders"));
         let also = code_words(&shaders);
         for (file, source) in &sources {
             let unknown = unknown_names(source, &also).into_iter();
@@ -93,9 +92,9 @@ const WIDTH: usize = 110;
 fn comments_break_at_the_width_of_code() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut sources = BTreeMap::new();
-    for name in CRATES {
+    for name in crates() {
         for folder in ["src", "tests", "benches", "examples"] {
-            let path = root.join(name).join(folder);
+            let path = root.join(&name).join(folder);
             if path.is_dir() {
                 read_folder(&path, &format!("{name}/{folder}/"), &mut sources);
             }

@@ -40,18 +40,18 @@ fn changes(before: &Settings, settings: Settings) -> impl Iterator<Item = Comman
         window,
     } = settings;
     let changed = [
-        (motion != before.motion, Command::Settings(SettingsCommand::Motion(motion))),
-        (ride != before.ride, Command::Ride(RideCommand::Set(ride))),
-        (look != before.look, Command::Settings(SettingsCommand::Look(look))),
-        (light != before.light, Command::Settings(SettingsCommand::Light(light))),
-        (quality != before.quality, Command::Settings(SettingsCommand::Quality(quality))),
-        (picture != before.picture, Command::Settings(SettingsCommand::Picture(picture))),
-        (screen != before.screen, Command::Settings(SettingsCommand::Screen(screen))),
-        (playback != before.playback, Command::Settings(SettingsCommand::Playback(playback))),
-        (map != before.map, Command::Settings(SettingsCommand::Map(map))),
-        (plots != before.plots, Command::Settings(SettingsCommand::Plots(plots))),
-        (fit != before.fit, Command::Settings(SettingsCommand::Fit(fit))),
-        (window != before.window, Command::Settings(SettingsCommand::Window(window))),
+        (motion != before.motion, SettingsCommand::Motion(motion).into()),
+        (ride != before.ride, RideCommand::Set(ride).into()),
+        (look != before.look, SettingsCommand::Look(look).into()),
+        (light != before.light, SettingsCommand::Light(light).into()),
+        (quality != before.quality, SettingsCommand::Quality(quality).into()),
+        (picture != before.picture, SettingsCommand::Picture(picture).into()),
+        (screen != before.screen, SettingsCommand::Screen(screen).into()),
+        (playback != before.playback, SettingsCommand::Playback(playback).into()),
+        (map != before.map, SettingsCommand::Map(map).into()),
+        (plots != before.plots, SettingsCommand::Plots(plots).into()),
+        (fit != before.fit, SettingsCommand::Fit(fit).into()),
+        (window != before.window, SettingsCommand::Window(window).into()),
     ];
     changed.into_iter().filter_map(|(is_changed, command)| is_changed.then_some(command))
 }

@@ -14,7 +14,7 @@ pub enum PlaybackCommand {
     GoToPart(f64),
     /// Makes steps of the scrubber, forwards or back.
     Step(i32),
-    /// Plays or pauses.
+    /// Plays T, or pauses it if it runs.
     Toggle,
 }
 

@@ -15,7 +15,7 @@ pub enum ShowCommand {
     Scene(&'static str),
     /// This preset, with defaults for all else but the parts of the window.
     Preset(&'static Preset),
-    /// What comes this many steps after what is shown; a lesson goes on, or back.
+    /// Goes this many steps on from what is shown; a lesson goes on, or back.
     Next(i32),
 }
 

@@ -23,7 +23,7 @@ const SEPARATION: f64 = 0.1;
 const BETAS: [f32; 4] = [0.0, 0.9, 0.9999, 0.999_999_46];
 /// Lorentz factors for batches in f64 alone.
 const GAMMAS: [f64; 2] = [1e5, 1e7];
-/// Where the middle is seen: its x over its distance from the eyes as it passes.
+/// Places at which the middle is seen, as its x over its distance from the eyes as it passes.
 const PLACES: [(&str, f64); 3] = [("approaching", -3.0), ("abreast", 0.0), ("receding", 3.0)];
 /// Timed runs of a model.
 const RUNS: u32 = 5;
@@ -139,7 +139,8 @@ impl Sight {
         self.points.each_ref().map(|column| column.iter().copied().map(rounded).collect())
     }
 
-    /// Where a model has the right eye see the points, and nanoseconds per point, the least of several.
+    /// Returns the positions at which a model has the right eye see the points, and nanoseconds per point,
+    /// the least of several.
     fn right_eye(&self, model: Model) -> (Vec<[f64; 3]>, f64) {
         let [x0, y, z] = &self.points;
         let position = |i: usize| {

@@ -4,7 +4,7 @@
 use crate::tally::Tally;
 use crate::{case, cases, model, pair_inputs};
 
-/// Four bits.
+/// The loss of four bits, in units of what the inputs permit.
 const LOSS_UNITS: f64 = 16.0;
 /// Shares that lose more, percent, as the head of this file states them: of X, t and D, and of dphi and
 /// dtheta.

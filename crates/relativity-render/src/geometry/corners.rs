@@ -10,15 +10,6 @@ pub struct Corner {
     pub turn: [f32; 2],
 }
 
-impl Corner {
-    /// Layout in which the vertex stage reads a corner.
-    pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-        array_stride: size_of::<Self>() as u64,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x2],
-    };
-}
-
 /// The corners of a grid over a shape, and the triangles between them, counter-clockwise from outside.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Template {

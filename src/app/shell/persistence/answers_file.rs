@@ -24,7 +24,7 @@ pub struct AnswersFiles {
 }
 
 impl AnswersFiles {
-    /// Those in `folder`.
+    /// The files of answers in `folder`, none of them read yet.
     pub fn new(folder: &Path) -> Self {
         Self { folder: folder.join(FOLDER), files: BTreeMap::new(), attempted: Answers::default() }
     }

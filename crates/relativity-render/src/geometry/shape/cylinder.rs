@@ -5,7 +5,7 @@ use relativity_core::math;
 
 use super::flat::{LEVEL, between_planes, block_distance};
 use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape};
-use super::round::{Arc, circle, closing, disc, grid, outward};
+use super::round::{Arc, circle, closing, disc, grid_with_ends, outward};
 use super::strokes::{Path, Stroke};
 use crate::geometry::block::Block;
 use crate::geometry::capsule::Capsule;
@@ -217,13 +217,9 @@ impl CentredShape for CylinderForm {
     }
 }
 
-/// Segments of the grid around a cylinder, along each end and along its side.
-const SEGMENTS: [u32; 3] = [64, 16, 128];
-
 /// Corners and triangles of a cylinder.
 pub(super) fn template() -> Template {
-    let [around, end, side] = SEGMENTS;
-    grid(&profile(end, side), around)
+    grid_with_ends(profile)
 }
 
 /// From the middle of one end to that of the other.

@@ -59,6 +59,15 @@ pub(crate) fn turn_to(axis: DVec3) -> DQuat {
     if turn.length() == 0.0 { DQuat::from_xyzw(1.0, 0.0, 0.0, 0.0) } else { turn.normalize() }
 }
 
+/// Segments of the grid around a body with two ends, along each end and along its side.
+const SEGMENTS: [u32; 3] = [64, 16, 128];
+
+/// The grid over a body with two ends, whose `profile` has so many segments along an end and along the side.
+pub(super) fn grid_with_ends(profile: fn(u32, u32) -> Vec<[f32; 4]>) -> Template {
+    let [around, end, side] = SEGMENTS;
+    grid(&profile(end, side), around)
+}
+
 /// `profile` turned around the axis: corners and triangles, counter-clockwise as seen from outside.
 pub(crate) fn grid(profile: &[[f32; 4]], around: u32) -> Template {
     let rows = profile.len() as u32;

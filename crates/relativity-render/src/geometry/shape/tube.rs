@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use relativity_core::math::sin_cos;
 
 use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedShape};
-use super::round::{Arc, arc, ball_entry, closing, grid, outward, turn_to};
+use super::round::{Arc, arc, ball_entry, closing, grid_with_ends, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::geometry::capsule::Capsule;
 use crate::geometry::corners::Template;
@@ -167,13 +167,9 @@ pub(super) fn along_tube(half_length: f64, radius: f64, off_axis: f64, outward: 
     (half_length + (z - beyond) + arc, gradient)
 }
 
-/// Segments of the grid around a tube, along each of its rounded ends, and along its side.
-const SEGMENTS: [u32; 3] = [64, 16, 128];
-
 /// Corners and triangles of a tube; of a ball, whose sides have no length.
 pub(super) fn template() -> Template {
-    let [around, end, side] = SEGMENTS;
-    grid(&profile(end, side), around)
+    grid_with_ends(profile)
 }
 
 /// From the pole of one end to that of the other.

@@ -43,6 +43,15 @@ struct LoadedTemplate {
     count: u32,
 }
 
+impl Corner {
+    /// Layout in which the vertex stage reads a corner.
+    pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+        array_stride: size_of::<Self>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x2],
+    };
+}
+
 /// Triangles over each body, their corners where they appear.
 pub const TECHNIQUE: Technique = Technique {
     source: Kind::mesh,

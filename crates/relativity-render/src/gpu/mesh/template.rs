@@ -11,9 +11,9 @@ use crate::scene::prepared_body::PreparedBody;
 /// The grid that a body is drawn as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Grid {
-    /// That over a shape of this kind.
+    /// The grid over a shape of this kind.
     Shape(Kind),
-    /// That of the model with this fingerprint.
+    /// The grid of the model with this fingerprint.
     Model(u64),
 }
 

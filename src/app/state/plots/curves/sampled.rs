@@ -9,7 +9,7 @@ const FIRST_INTERVALS: u32 = 64;
 /// Halvings of the distance to each point of interest: features narrower than 2^-40 of the range show
 /// as steps.
 const RUNGS: i32 = 40;
-/// All ladders together have at most this many rungs on each side.
+/// Greatest number of rungs of all ladders together, on each side.
 const MOST_RUNGS: f64 = 2000.0;
 
 impl Bends {
