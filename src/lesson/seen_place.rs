@@ -5,6 +5,7 @@ use relativity_core::math::{atanh, cos, log10};
 use relativity_render::Gaze;
 
 use super::truth::angle_between;
+use crate::caption::decimal;
 use crate::flags::choices::ProjectionChoice;
 use crate::number_text;
 use crate::settings::Settings;
@@ -72,7 +73,7 @@ fn turned(angle: f64) -> f64 {
 }
 
 fn degrees(angle: f64) -> String {
-    number_text::fixed(angle.to_degrees(), 0)
+    decimal(angle.to_degrees(), 0)
 }
 
 #[cfg(test)]
