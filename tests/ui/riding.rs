@@ -17,7 +17,7 @@ use relativity_core::{Baseline, Model, Observer, ObserverVelocity, SourcePoint, 
 use super::Test;
 use super::support::{
     FRAME, assert_sane, in_layout, label_starting_with, labels, pane, settle, shown, type_into, wide_window,
-    window, window_without_pictures,
+    window, window_of_size, window_without_pictures,
 };
 
 pub const TESTS: &[Test] = trials![
