@@ -88,8 +88,11 @@ pub fn show(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, free: &[Re
         plate.paint(painter, rect);
     }
     let is_pointed = say(ui, pane, &instruments, places);
-    let fresh = if is_pointed { 1.0 } else { freshness(ui, state) };
     let mut taken: Vec<Rect> = places.parts().collect();
+    if pane.is_second {
+        return taken;
+    }
+    let fresh = if is_pointed { 1.0 } else { freshness(ui, state) };
     // A lesson may ask about the way.
     let is_asked = state.session.lesson.is_some();
     let way = instruments.way.iter().map(String::as_str).filter(|_| is_asked || fresh > 0.0);
@@ -109,7 +112,8 @@ fn say(ui: &Ui, pane: EyePane, instruments: &Instruments, places: Places) -> boo
     let id = ui.scope_id().with(("handlebar", pane.eye.index(), pane.is_second));
     let response = ui.interact(places.all().intersect(pane.rect), id, Sense::hover());
     response.widget_info(|| {
-        let text = format!("{}, instruments: {}", pane.eye.name(), instruments.text());
+        let whose = if pane.is_second { "Second picture" } else { pane.eye.name() };
+        let text = format!("{whose}, instruments: {}", instruments.text());
         WidgetInfo::labeled(Role::Label, true, text)
     });
     response.on_hover_text(TIP).hovered()
