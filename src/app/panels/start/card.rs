@@ -29,11 +29,11 @@ const DRAWN: f32 = 1.3;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cards {
     /// Cards of chapters.
-    OfChapters,
+    Chapters,
     /// Large cards of lessons.
-    OfLessons,
+    Lessons,
     /// Small cards of presets.
-    OfPresets,
+    Presets,
 }
 
 /// A card of the start page.
@@ -60,8 +60,8 @@ impl Cards {
     /// The narrowest of them, points.
     const fn narrowest(self) -> f32 {
         match self {
-            Self::OfLessons => 226.0,
-            Self::OfChapters | Self::OfPresets => 150.0,
+            Self::Lessons => 226.0,
+            Self::Chapters | Self::Presets => 150.0,
         }
     }
 
@@ -111,9 +111,9 @@ impl Card<'_> {
         let (body, small) = (TextStyle::Body.resolve(ui.style()), TextStyle::Small.resolve(ui.style()));
         let visuals = ui.visuals();
         let title = match cards {
-            Cards::OfChapters => FontId { size: 1.3 * body.size, ..body.clone() },
-            Cards::OfLessons => FontId { size: 1.15 * body.size, ..body.clone() },
-            Cards::OfPresets => FontId { size: 0.96 * body.size, ..body.clone() },
+            Cards::Chapters => FontId { size: 1.3 * body.size, ..body.clone() },
+            Cards::Lessons => FontId { size: 1.15 * body.size, ..body.clone() },
+            Cards::Presets => FontId { size: 0.96 * body.size, ..body.clone() },
         };
         let mut job = LayoutJob {
             wrap: TextWrapping::wrap_at_width((width - 2.0 * scale * AROUND).max(1.0)),

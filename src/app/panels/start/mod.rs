@@ -118,7 +118,7 @@ fn front(ui: &mut Ui, state: &State, library: &Library, pictures: Pictures<'_>, 
         let numbered = chapters.iter().enumerate();
         let cards: Vec<_> =
             numbered.filter_map(|(number, chapter)| of_chapter(state, number, chapter)).collect();
-        Cards::OfChapters.show(ui, &cards, pictures.cards, commands);
+        Cards::Chapters.show(ui, &cards, pictures.cards, commands);
         refused(ui, library.refused());
         ui.horizontal_wrapped(|ui| {
             let open = Command::Window(WindowCommand::Toggle(Overlay::Presets));
@@ -146,10 +146,11 @@ fn lessons(
     thumbnails: &mut Thumbnails,
     commands: &mut Commands,
 ) {
-    title(ui, chapter.title, &words::chapter(chapter, &state.session.answers), commands);
+    let remark = format!("{}. {}", words::chapter(chapter, &state.session.answers), words::LESSON);
+    title(ui, chapter.title, &remark, commands);
     let cards: Vec<_> =
         chapter.lessons.iter().map(|(number, lesson)| of_lesson(state, *number, lesson)).collect();
-    Cards::OfLessons.show(ui, &cards, thumbnails, commands);
+    Cards::Lessons.show(ui, &cards, thumbnails, commands);
 }
 
 /// Shows all presets, by group.
@@ -163,7 +164,7 @@ fn presets(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, commands: &m
         };
         let cards: Vec<_> =
             library.all().iter().filter(of_group).filter_map(|lesson| of_preset(state, lesson)).collect();
-        Cards::OfPresets.show(ui, &cards, thumbnails, commands);
+        Cards::Presets.show(ui, &cards, thumbnails, commands);
     }
 }
 

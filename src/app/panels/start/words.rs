@@ -10,6 +10,9 @@ use crate::settings::Preset;
 pub const HEADING: &str = "See what nobody has ever seen";
 pub const LINE: &str = "A street at nearly the speed of light, exactly as your two eyes would see it.";
 
+/// What a lesson does.
+pub const LESSON: &str = "Each lesson asks for your guess, shows you what happens, and explains it.";
+
 /// Introduction to the presets.
 pub const PRESETS: &str = "Ready-made scenes. Hover to read what each one shows.";
 
