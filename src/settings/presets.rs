@@ -102,7 +102,13 @@ impl Preset {
     #[must_use]
     pub fn matching(settings: &Settings) -> Option<&'static Self> {
         let with = |settings: &Settings| {
-            ALL.iter().find(|preset| preset.settings.clone().in_place_of(settings) == *settings)
+            ALL.iter().find(|Self { settings: own, .. }| {
+                let mut shown = own.clone().in_place_of(settings);
+                if own.ride.is_on() {
+                    shown.picture.layout = settings.picture.layout;
+                }
+                shown == *settings
+            })
         };
         with(settings).or_else(|| with(&Settings { time: None, ..settings.clone() }))
     }

@@ -10,7 +10,7 @@ pub(in crate::app) mod halo;
 pub(in crate::app) mod heat_map;
 pub mod highlight;
 pub mod hover;
-mod instruments;
+pub mod instruments;
 pub(in crate::app) mod laid_ruler;
 pub(in crate::app) mod layouts;
 pub mod offscreen;
