@@ -14,7 +14,6 @@ use crate::app::commands::{Command, PlaybackCommand, ShowCommand, WindowCommand}
 use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::state::overlay::Overlay;
-use crate::app::state::riding::saddle::RideCommand;
 use crate::app::views::start_picture::{ShownStartPicture, StartPicture};
 use crate::app::widgets::theme;
 use crate::lesson::Library;
@@ -100,7 +99,7 @@ pub fn show(
 /// Returns the ways in: a ride, a passage, and the lesson that is open or comes next.
 fn ways_in(state: &State, library: &Library) -> Vec<WayIn> {
     let street = Preset::start();
-    let ride = vec![ShowCommand::Preset(street).into(), RideCommand::Toggle.into()];
+    let ride = vec![ShowCommand::Ride.into()];
     let mut watch = vec![ShowCommand::Preset(street).into(), PlaybackCommand::GoToPart(0.0).into()];
     if !state.scratch.playing {
         watch.push(PlaybackCommand::Toggle.into());
