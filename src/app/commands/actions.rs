@@ -189,6 +189,11 @@ pub static ACTIONS: &[Action] = &[
         window(WindowCommand::Toggle(Overlay::Start)),
     ),
     action(
+        "show all presets to choose from",
+        &[with_shift(Key::S)],
+        window(WindowCommand::Toggle(Overlay::Presets)),
+    ),
+    action(
         "find an action by its name",
         &[with_control(Key::P)],
         window(WindowCommand::Toggle(Overlay::Palette)),

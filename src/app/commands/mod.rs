@@ -155,7 +155,7 @@ impl State {
         if command.sets_what_runs() {
             self.stop_run();
         }
-        if command.shows_another() && self.session.overlay == Some(Overlay::Start) {
+        if command.shows_another() && self.session.overlay.is_some_and(Overlay::is_page) {
             self.session.overlay = None;
         }
     }

@@ -19,6 +19,7 @@ pub mod panes;
 pub(in crate::app) mod predicted_place;
 pub(in crate::app) mod reference_steps;
 pub(in crate::app) mod slide;
+pub mod start_picture;
 pub(in crate::app) mod stereoscope;
 pub mod thumbnails;
 mod titles;
