@@ -139,7 +139,7 @@ impl Settings {
         };
         let look = LookSettings { geometry, compare: Compare::Off, ..self.look };
         let ride = if compare == Compare::Standing { self.ride.standing() } else { self.ride.clone() };
-        Self { look, light, ride, ..self.clone() }
+        Self { ride, look, light, ..self.clone() }
     }
 
     /// Returns the settings of the second picture with the field of view that both pictures of this `subject`
