@@ -80,12 +80,16 @@ pub struct App {
     saver: Saver,
     thumbnails: Thumbnails,
     watch: Option<Watch>,
+    /// Commands that wait until what was asked for before is shown.
+    waiting: Vec<Command>,
     /// Writes what outlasts the window; none where nothing does.
     keeper: Option<Keeper>,
 }
 
 /// The name of the window.
 const TITLE: &str = "Gamow";
+/// Greatest step of T in one frame, seconds of the wall clock.
+const LONGEST_STEP: f64 = 0.25;
 /// Margin around the bar, the controls and the readout, points.
 const INSET: egui::Vec2 = egui::vec2(theme::GAP, theme::GAP / 2.0);
 
@@ -114,8 +118,16 @@ impl App {
             saver: Saver::default(),
             thumbnails: Thumbnails::default(),
             watch: None,
+            waiting: Vec::new(),
             keeper: None,
         }
+    }
+
+    /// Has the pipelines of pictures made in the background, so that the window never waits for them.
+    #[must_use]
+    pub fn preparing_in_background(mut self, ctx: &egui::Context) -> Self {
+        self.eyes.iter_mut().for_each(|eyes| eyes.prepare_in_background(ctx));
+        self
     }
 
     /// Has the `keeper` write what outlasts the window.
@@ -248,7 +260,9 @@ impl eframe::App for App {
         if let Some(keeper) = &self.keeper {
             self.state.keep_in(keeper, ctx);
         }
-        let step = f64::from(ctx.input(|input| input.stable_dt));
+        // T waits with a picture; and what took longer than this was not seen.
+        let longest = if self.state.frame.is_getting_ready { 0.0 } else { LONGEST_STEP };
+        let step = f64::from(ctx.input(|input| input.stable_dt)).min(longest);
         let pushed = keys::held(ctx, &self.state);
         self.state.advance(step, pushed.is_some());
         if let Some(direction) = pushed {

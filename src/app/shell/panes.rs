@@ -155,7 +155,14 @@ impl App {
     ) -> (Option<ShownPicture>, crate::app::views::eyes::Request) {
         let request = self.request(ui, pane);
         let picture = self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.index(), &request));
+        self.note_waiting();
         (picture, request)
+    }
+
+    /// Notes whether a picture of this frame waits for what draws it.
+    fn note_waiting(&mut self) {
+        let is_waiting = self.eyes.as_mut().is_some_and(EyePictures::take_waiting);
+        self.state.frame_mut().is_getting_ready |= is_waiting;
     }
 
     /// Draws the up-to-date picture in `pane` alone.
@@ -171,6 +178,7 @@ impl App {
             let request = self.request(ui, pane);
             let picture =
                 self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
+            self.note_waiting();
             let heat_map = self.heat_map(ui, pane, &request);
             return panels::views::paint_both(ui, &self.state, &[pane], picture, &[heat_map]);
         };
@@ -179,6 +187,7 @@ impl App {
         let [first, second] = [0, 1].map(|i: usize| (panes[i].eye.index(), &requests[i]));
         let picture =
             self.eyes.as_mut().and_then(|eyes| eyes.composed(ui.ctx(), composition, [first, second]));
+        self.note_waiting();
         let heat_maps = [0, 1].map(|i: usize| {
             if panes[i].takes_the_mouse() { self.heat_map(ui, panes[i], &requests[i]) } else { None }
         });

@@ -87,7 +87,7 @@ impl App {
     /// Shows the views, and a lesson's words with the panel beside them, in the window of this `ui`.
     fn show_projected(&mut self, ui: &mut Ui) {
         if self.projected.is_none() {
-            self.projected = self.eyes.as_ref().map(EyePictures::another);
+            self.projected = self.eyes.as_ref().map(|eyes| eyes.another(ui.ctx()));
         }
         name_window(ui.ctx(), TITLE);
         let area = ui.max_rect();
