@@ -1,19 +1,23 @@
 //! What draws is made in the background: the window goes on meanwhile, or T waits for it.
 
-use eframe::egui::{Event, Key, Modifiers};
+use std::time::Duration;
+
+use eframe::egui::{Event, Key, Modifiers, ViewportId};
 use egui_kittest::Harness;
+use gamow::app::commands::{Command, SettingsCommand, ShowCommand, Switch};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::choices::RendererChoice;
 use gamow::settings::Preset;
 
-use super::support::{builder, cyclist, settle, wait_for, window_without_pictures};
+use super::support::{builder, cyclist, settle, wait_for, window_of_size, window_without_pictures};
 use super::{Test, device};
 
 pub const TESTS: &[Test] = trials![
     packets_draw_until_the_rays_are_ready,
     t_waits_for_a_picture_that_nothing_else_draws,
     presses_of_a_clicker_show_each_preset,
+    a_change_of_preset_or_layout_fades_for_a_moment_unless_nothing_is_to_move,
 ];
 
 fn prepared_window(state: State) -> Harness<'static, App> {
@@ -89,4 +93,26 @@ fn presses_of_a_clicker_show_each_preset() {
     }
     window.run_steps(2);
     assert_eq!(shown(&window), Some(Preset::all()[2].name));
+}
+
+fn a_change_of_preset_or_layout_fades_for_a_moment_unless_nothing_is_to_move() {
+    for animations in [true, false] {
+        let mut state = cyclist(0.6);
+        state.document.settings.window.animations = animations;
+        let mut window = window_of_size(state, [800.0, 600.0], 1.0);
+        assert!(!window.state().is_fading(), "nothing was there before");
+        // A preset, and then a layout.
+        for change in [Command::from(ShowCommand::Next(1)), SettingsCommand::Switch(Switch::Layout(1)).into()]
+        {
+            window.state_mut().run(change);
+            window.step();
+            assert_eq!(window.state().is_fading(), animations);
+            // 0.25 s.
+            window.run_steps(4);
+            assert!(!window.state().is_fading());
+            settle(&mut window);
+            window.run();
+            assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
+        }
+    }
 }

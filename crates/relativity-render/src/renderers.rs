@@ -221,8 +221,8 @@ impl Renderers {
         self.packets.is_some()
     }
 
-    /// Returns the pipelines that [`Self::draw`] would have to make first, for this and for similar views: none
-    /// where the CPU draws.
+    /// Returns the pipelines that [`Self::draw`] would have to make first, for this and for similar views:
+    /// none where the CPU draws.
     #[must_use]
     pub fn missing(
         &self,

@@ -49,6 +49,7 @@ use crate::app::tools::watch::Watch;
 use crate::app::views::corrected::Corrected;
 use crate::app::views::examination::Examination;
 use crate::app::views::eyes::{Chosen, EyePictures};
+use crate::app::views::fade::Fade;
 use crate::app::views::stereoscope::viewer::Stereoscope;
 use crate::app::views::thumbnails::Thumbnails;
 use crate::app::widgets::theme;
@@ -72,6 +73,7 @@ pub struct App {
     /// On which screen the projector's window is.
     screen: Screen,
     full_screen: FullScreen,
+    fade: Fade,
     /// The stereoscope, while the window is its screen.
     stereoscope: Option<Stereoscope>,
     text_scale: f32,
@@ -111,6 +113,7 @@ impl App {
             projected: None,
             screen: Screen::default(),
             full_screen: FullScreen::default(),
+            fade: Fade::default(),
             stereoscope: None,
             text_scale: 1.0,
             chooser: Chooser::default(),
@@ -199,6 +202,13 @@ impl App {
             && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
             && !self.examination.as_ref().is_some_and(Examination::is_pending)
             && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
+            && self.fade.is_settled()
+    }
+
+    /// Whether pictures of before are still on their way out.
+    #[must_use]
+    pub const fn is_fading(&self) -> bool {
+        !self.fade.is_settled()
     }
 
     /// Whether a file is being read that will be shown.

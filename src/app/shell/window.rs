@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
+use gamow_platform::motion;
 
 use crate::app::commands::{Command, FileCommand, ShowCommand, actions};
 use crate::app::panels;
@@ -62,7 +63,9 @@ impl App {
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         widgets::name_window(&ctx, TITLE);
-        ctx.set_theme(theme::preference(self.state.document.settings.window.theme));
+        let window = self.state.document.settings.window;
+        ctx.set_theme(theme::preference(window.theme));
+        theme::set_animations(&ctx, window.animations && !motion::is_reduced());
         let mut commands = self.next_asked(&ctx);
         if self.shows_start() {
             commands.retain(panels::start::lets_through);
@@ -107,8 +110,8 @@ impl App {
         }
     }
 
-    /// Returns the commands of keys for this frame. A clicker's press waits until what the one before asked for
-    /// is shown, with all keys after it: so nothing is passed over unseen.
+    /// Returns the commands of keys for this frame. A clicker's press waits until what the one before asked
+    /// for is shown, with all keys after it: so nothing is passed over unseen.
     fn next_asked(&mut self, ctx: &egui::Context) -> Commands {
         let is_getting_ready = std::mem::take(&mut self.state.frame_mut().is_getting_ready);
         let mut commands = std::mem::take(&mut self.waiting);

@@ -1,5 +1,5 @@
-//! Hue as people see it, in the colour space IPT, and the way of a colour that a screen cannot show into what it
-//! can.
+//! Hue as people see it, in the colour space IPT, and the way of a colour that a screen cannot show into what
+//! it can.
 //!
 //! Adding white to a colour, or dimming it, keeps its hue in IPT nearly as well as people judge it; on the
 //! straight line to white in linear sRGB the red end of the spectrum would turn pink.

@@ -30,7 +30,8 @@ const BAND_WIDTH: f64 = 0.12;
 /// Light of a broad spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Broad {
-    /// Linear sRGB, the largest component 1. Where a screen cannot show it, the purest colour shown of its hue.
+    /// Linear sRGB, the largest component 1. Where a screen cannot show it, the purest colour shown of its
+    /// hue.
     pub hue: [f64; 3],
     /// log2 of the largest component, in units in which the luminance of a spectrum is a plain sum over nm.
     pub log2_level: f64,

@@ -1,5 +1,5 @@
-//! Mirrors: structs and constants that both the shaders and Rust state, and what is made of them, for tests to
-//! compare.
+//! Mirrors: structs and constants that both the shaders and Rust state, and what is made of them, for tests
+//! to compare.
 
 use std::mem::offset_of;
 

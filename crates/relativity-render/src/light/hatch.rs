@@ -1,9 +1,9 @@
 //! The hatch: light that eyes do not see, drawn dimly, with fine lines.
 //!
 //! Hardly a colour is left to tell it by, so it cannot be taken for light that is seen, by whatever eyes:
-//! infrared is a dim warm grey with lines that rise to the right at 45 degrees, ultraviolet a neutral one with
-//! lines that fall at 135 degrees. They stand still in the picture, and only the body's own shade lies over
-//! them. `shaders/colour.wgsl` has the same, with the numbers of [`Hatch::packed`].
+//! infrared is a dim warm grey with lines that rise to the right at 45 degrees, ultraviolet a neutral one
+//! with lines that fall at 135 degrees. They stand still in the picture, and only the body's own shade lies
+//! over them. `shaders/colour.wgsl` has the same, with the numbers of [`Hatch::packed`].
 //!
 //! A share of such light is a number from -1 to 1: above 0 of infrared, below 0 of ultraviolet, 0 where all
 //! is seen.
@@ -42,7 +42,8 @@ impl Hatch {
         Self { period, half_width: 0.5 * LINE_SHARE * period, grey: [between, on_line - between] }
     }
 
-    /// Returns linear sRGB of light with this `unseen` share in the pixel around `place`, px from the top left.
+    /// Returns linear sRGB of light with this `unseen` share in the pixel around `place`, px from the top
+    /// left.
     ///
     /// It is that of the pixel's middle, smoothed over its width: all samples of a pixel have the same.
     pub fn colour(&self, unseen: f64, place: [f64; 2]) -> [f64; 3] {
@@ -58,8 +59,8 @@ impl Hatch {
     }
 
     /// The numbers that shaders need of it: the period, px, its reciprocal times cos 45 degrees, half the
-    /// width of a line, px, and the grey that is added on lines; and the colour between the lines of infrared,
-    /// and the grey between those of ultraviolet.
+    /// width of a line, px, and the grey that is added on lines; and the colour between the lines of
+    /// infrared, and the grey between those of ultraviolet.
     pub fn packed(&self) -> [[f32; 4]; 2] {
         let per_px = FRAC_1_SQRT_2 / self.period;
         let [between, more] = self.grey;

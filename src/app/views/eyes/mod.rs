@@ -15,7 +15,7 @@ pub use request::{Request, ShownPicture};
 
 use self::background::{Background, FinishedPicture};
 use self::meter::Meter;
-use self::slot::{ComposedPicture, DrawnBy, EyePicture, fitting, fitting_composed};
+use self::slot::{ComposedPicture, DrawnBy, EyePicture, SetAside, fitting, fitting_composed};
 use crate::accuracy::MethodViews;
 use crate::app::tools::graphics;
 use crate::app::tools::painting;
@@ -29,6 +29,9 @@ pub struct EyePictures {
     renderers: Renderers,
     meter: Meter,
     pictures: [Option<EyePicture>; 2],
+    /// Textures of the pictures before, which are shown until the new ones stand alone; with what they are
+    /// of.
+    set_aside: Vec<SetAside>,
     backgrounds: [Option<Background>; 2],
     composer: Option<Composer>,
     composed: Option<ComposedPicture>,
@@ -56,6 +59,7 @@ impl EyePictures {
             gpu,
             render_state: render_state.clone(),
             pictures: [None, None],
+            set_aside: Vec::new(),
             backgrounds: [None, None],
             composer: None,
             composed: None,
@@ -156,7 +160,8 @@ impl EyePictures {
         }
     }
 
-    /// Draws the picture by the method of the request; until that is ready it is the last one, if there is one.
+    /// Draws the picture by the method of the request; until that is ready it is the last one, if there is
+    /// one.
     fn picture_by_method(
         &mut self,
         ctx: &Context,
@@ -244,8 +249,24 @@ impl EyePictures {
         Some(ShownPicture { texture: composed.texture, method })
     }
 
+    /// Keeps the pictures as they are, while others are drawn in their place.
+    pub fn set_aside(&mut self) {
+        self.forget_set_aside();
+        let pictures = self.pictures.iter_mut().filter_map(Option::take).map(SetAside::Eye);
+        let composed = self.composed.take().map(SetAside::Composed);
+        self.set_aside = pictures.chain(composed).collect();
+    }
+
+    /// Gives up what was set aside.
+    pub fn forget_set_aside(&mut self) {
+        for picture in self.set_aside.drain(..) {
+            self.render_state.renderer.write().free_texture(&picture.texture());
+        }
+    }
+
     /// Gives up all pictures, as nobody looks.
     pub fn forget(&mut self) {
+        self.forget_set_aside();
         self.forget_composed();
         for EyePicture { texture, .. } in self.pictures.iter_mut().filter_map(Option::take) {
             self.render_state.renderer.write().free_texture(&texture);
@@ -261,8 +282,8 @@ impl EyePictures {
     }
 }
 
-/// Returns the method that draws `request` now: the one it is for, or the packets while its pipelines are being
-/// made; `None` if only that one draws it.
+/// Returns the method that draws `request` now: the one it is for, or the packets while its pipelines are
+/// being made; `None` if only that one draws it.
 fn at_hand(
     preparing: Option<&Preparing>,
     renderers: &Renderers,
