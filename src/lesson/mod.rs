@@ -16,6 +16,8 @@ mod plan;
 mod read;
 pub mod report;
 mod score;
+mod seen_place;
+mod sequence;
 pub mod sketch;
 pub mod truth;
 pub mod values;
@@ -26,12 +28,13 @@ pub use answer::{Answer, Confidence, Outcome, Record};
 pub use answers::{Answers, LessonProgress};
 pub use course::Course;
 pub use error::LessonError;
-pub use library::{Library, Refused};
+pub use library::{Chapter, Library, Refused};
 pub use place::{Phase, Place};
 pub use plan::{
     Animated, Animation, AnswerKind, Choices, CurveAnswer, Lab, Lesson, Number, Options, PointAt, Prediction,
     Reveal, StateBlock, Step, Text,
 };
 pub use score::Score;
+pub use sequence::{Sequence, SequenceEntry};
 pub use truth::Sight;
 pub use verdict::{Verdict, difference, verdict};

@@ -50,6 +50,7 @@ use crate::app::views::corrected::Corrected;
 use crate::app::views::examination::Examination;
 use crate::app::views::eyes::{Chosen, EyePictures};
 use crate::app::views::fade::Fade;
+use crate::app::views::start_picture::StartPicture;
 use crate::app::views::stereoscope::viewer::Stereoscope;
 use crate::app::views::thumbnails::Thumbnails;
 use crate::app::widgets::theme;
@@ -81,6 +82,8 @@ pub struct App {
     reader: Reader,
     saver: Saver,
     thumbnails: Thumbnails,
+    /// The moving picture of the start page, while that is shown.
+    start_picture: Option<StartPicture>,
     watch: Option<Watch>,
     /// Commands that wait until what was asked for before is shown.
     waiting: Vec<Command>,
@@ -120,6 +123,7 @@ impl App {
             reader: Reader::new(ctx.clone()),
             saver: Saver::default(),
             thumbnails: Thumbnails::default(),
+            start_picture: None,
             watch: None,
             waiting: Vec::new(),
             keeper: None,
@@ -167,6 +171,12 @@ impl App {
     #[must_use]
     pub const fn thumbnails(&self) -> &Thumbnails {
         &self.thumbnails
+    }
+
+    /// Returns the number of pictures of the start page drawn since that was opened.
+    #[must_use]
+    pub fn start_picture_drawings(&self) -> u64 {
+        self.start_picture.as_ref().map_or(0, StartPicture::drawings)
     }
 
     /// Returns the contents of the shown plot tab as SVG.

@@ -16,6 +16,7 @@ use crate::app::state::overlay::Overlay;
 use crate::app::tools::watch::Watch;
 use crate::app::views::eyes::EyePictures;
 use crate::app::views::panes::Arrangement;
+use crate::app::views::start_picture::StartPicture;
 use crate::app::widgets::{self, focus, theme};
 
 /// Enlargement of the start page's text for an audience.
@@ -92,6 +93,9 @@ impl App {
         if !self.state.session.stage.stereoscope {
             self.stereoscope = None;
         }
+        if !self.shows_start() {
+            self.start_picture.take().into_iter().for_each(StartPicture::forget);
+        }
         if self.shows_start() {
             self.show_start(ui, area);
         } else if self.state.session.stage.stereoscope {
@@ -147,7 +151,7 @@ impl App {
         let full_screen = self.full_screen.update(ctx, session.stage.full_screen);
         let scale = match session.stage.is_presented() {
             // Its cards have pictures, and are to be in sight.
-            true if session.overlay == Some(Overlay::Start) => PRESENTED_START_SCALE,
+            true if session.overlay.is_some_and(Overlay::is_page) => PRESENTED_START_SCALE,
             true => panels::presented::scale(ctx),
             false => 1.0,
         };
@@ -164,7 +168,7 @@ impl App {
 
     /// Whether the start page takes the place of the parts.
     fn shows_start(&self) -> bool {
-        self.state.session.overlay == Some(Overlay::Start)
+        self.state.session.overlay.is_some_and(Overlay::is_page)
     }
 
     /// Shows the message, if there is one, at the top of `room`.

@@ -71,6 +71,7 @@ impl Lesson {
     pub fn load(path: &Path) -> Result<Self, LessonError> {
         let source_name = files::shown(path);
         let text = files::read_to_string(path).map_err(|reason| LessonError::Read {
+            what: "lesson",
             source_name: source_name.clone(),
             reason: match reason.kind() {
                 ErrorKind::InvalidData => "it is not text in UTF-8, as a lesson must be".to_owned(),
@@ -111,7 +112,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     if steps.is_empty() {
         return Err((1, "a lesson has at least one step: a line that begins with `## `".to_owned()));
     }
-    let FrontMatter { title, order, concept, minutes } = front;
+    let FrontMatter { title, order, chapter, concept, minutes } = front;
     let (name, source_name) = (name.to_owned(), source_name.to_owned());
     let lesson = Lesson {
         name,
@@ -119,6 +120,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
         path: None,
         title,
         order,
+        chapter,
         concept,
         minutes,
         introduction,

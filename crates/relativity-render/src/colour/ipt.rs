@@ -11,8 +11,6 @@ use std::f64::consts::TAU;
 
 use relativity_core::math::{atan2, powf};
 
-use super::srgb_from_xyz;
-
 /// To the responses of the three kinds of cones, 1 each for white (D65).
 const CONES_FROM_XYZ: [[f64; 3]; 3] =
     [[0.4002, 0.7075, -0.0807], [-0.2280, 1.1500, 0.0612], [0.0, 0.0, 0.9184]];
@@ -88,6 +86,15 @@ fn xyz_from_srgb([red, green, blue]: [f64; 3]) -> [f64; 3] {
         0.412_456_4 * red + 0.357_576_1 * green + 0.180_437_5 * blue,
         0.212_672_9 * red + 0.715_152_2 * green + 0.072_175_0 * blue,
         0.019_333_9 * red + 0.119_192_0 * green + 0.950_304_1 * blue,
+    ]
+}
+
+/// Linear sRGB of a CIE XYZ colour; components may be negative.
+pub(crate) fn srgb_from_xyz([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [
+        3.240_454_2 * x - 1.537_138_5 * y - 0.498_531_4 * z,
+        -0.969_266_0 * x + 1.876_010_8 * y + 0.041_556_0 * z,
+        0.055_643_4 * x - 0.204_025_9 * y + 1.057_225_2 * z,
     ]
 }
 

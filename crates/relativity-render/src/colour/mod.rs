@@ -12,7 +12,7 @@
 //! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence:
 //! `assets/README.md`); IEC 61966-2-1:1999 (sRGB).
 
-mod ipt;
+pub(crate) mod ipt;
 pub mod planck;
 pub mod spectrum;
 
@@ -155,13 +155,4 @@ fn visibility(wavelength_nm: f64) -> f64 {
 fn smoothstep([start, end]: [f64; 2], x: f64) -> f64 {
     let t = ((x - start) / (end - start)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
-}
-
-/// Linear sRGB of a CIE XYZ colour; components may be negative.
-pub(crate) fn srgb_from_xyz([x, y, z]: [f64; 3]) -> [f64; 3] {
-    [
-        3.240_454_2 * x - 1.537_138_5 * y - 0.498_531_4 * z,
-        -0.969_266_0 * x + 1.876_010_8 * y + 0.041_556_0 * z,
-        0.055_643_4 * x - 0.204_025_9 * y + 1.057_225_2 * z,
-    ]
 }

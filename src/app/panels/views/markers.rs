@@ -1,6 +1,6 @@
 //! Markers at the places where an eye sees the followed points, and their clocks.
 
-use eframe::egui::{Color32, Painter, Pos2, Stroke, Ui};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, TextStyle, Ui, Vec2, vec2};
 use relativity_render::{PreparedScene, View};
 
 use crate::app::state::State;
@@ -11,6 +11,9 @@ use crate::app::views::panes::EyePane;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::flags::choices::Form;
+
+/// Radius of the marker of the selected point.
+const LARGEST_RING: f32 = 6.0;
 
 /// A coat of a marker's paint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,7 +29,7 @@ pub fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: C
     let (scene, visuals) = (&state.document.prepared, ui.visuals());
     for (index, point) in state.document.points.all().iter().enumerate() {
         let Some(marker) = Marker::new(state, point, &view, scene, pane.eye) else { continue };
-        let radius = if index == state.document.points.selected_index() { 6.0 } else { 4.5 };
+        let radius = if index == state.document.points.selected_index() { LARGEST_RING } else { 4.5 };
         let place = pane.place(marker.pixel);
         if coat == Coat::Halo {
             Marker::paint_halo(painter, place, radius, layouts::halo_colour(state, visuals));
@@ -40,10 +43,38 @@ pub fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: C
         let [ring, dot] =
             if pane.is_shared { layouts::marker_colours(state, pane.eye, own, visuals) } else { [own; 2] };
         marker.paint(painter, place, radius, [ring, dot]);
+        if pane.rect.contains(place) && can_be_read(state, pane) {
+            distance(ui, painter, state, pane, point, place);
+        }
     }
     if coat == Coat::Ring && can_be_read(state, pane) {
         dial::show_resting(ui, state, pane.eye, pane.rect);
     }
+}
+
+/// Returns the places in `pane` of what is marked there, with the clocks beside it: of every followed point in
+/// the picture.
+pub fn marked(state: &State, pane: EyePane) -> Vec<Rect> {
+    let camera = state.view(pane.eye, pane.size).camera;
+    let points = state.document.points.all().iter();
+    let directions = points.filter_map(|point| Some((point, state.direction(point, pane.eye)?)));
+    let places = directions.filter_map(|(point, direction)| {
+        let place = pane.place(camera.pixel(direction)?);
+        let is_inside = place.is_finite() && pane.rect.contains(place);
+        is_inside.then(|| {
+            let ring = Rect::from_center_size(place, Vec2::splat(2.0 * LARGEST_RING));
+            let has_clock = state.dial(point, pane.eye).is_some();
+            let with_clock = if has_clock { ring.union(dial::place(place, pane.rect)) } else { ring };
+            let has_distance = state.document.settings.window.distances;
+            if has_distance { with_clock.union(below(place)) } else { with_clock }
+        })
+    });
+    places.collect()
+}
+
+/// Room below a marker at `place` for its distance.
+fn below(place: Pos2) -> Rect {
+    Rect::from_min_size(place + vec2(-70.0, 0.0), vec2(140.0, 2.0 * BELOW_MARKER + 8.0))
 }
 
 /// Whether a clock in `pane` does not stand where the other eye's does.
@@ -64,6 +95,29 @@ fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     let name = format!("Clock of {}, {}", state.name_of(point), pane.eye.name());
     dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
 }
+
+/// Writes below the marker at `place` how far away the eye sees the point, where that is asked for.
+fn distance(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, point: &Point, place: Pos2) {
+    let is_on = state.document.settings.window.distances && state.shows_what_is_received(pane.eye);
+    let Some(seen) = state.sighting(point, pane.eye).filter(|_| is_on) else { return };
+    let away = state.measures().length.text(seen.distance, DISTANCE_DECIMALS);
+    let text = format!("seen {away} away");
+    let galley = painter.layout_no_wrap(text, TextStyle::Body.resolve(ui.style()), Color32::WHITE);
+    let inside = pane.rect.shrink(6.0);
+    let size = galley.size();
+    let corner = Align2::CENTER_TOP.anchor_size(place + vec2(0.0, BELOW_MARKER), size).min;
+    let corner = corner.clamp(inside.min, (inside.max - size).max(inside.min));
+    painter.rect_filled(
+        Rect::from_min_size(corner, size).expand2(vec2(4.0, 1.0)),
+        3.0,
+        Color32::from_black_alpha(170),
+    );
+    painter.galley(corner, galley, Color32::WHITE);
+}
+
+/// Decimals of the distance of a marked point in the scene's unit, and how far below it that is written.
+const DISTANCE_DECIMALS: u8 = 1;
+const BELOW_MARKER: f32 = 12.0;
 
 /// A marker at the place where an eye sees a followed point.
 struct Marker {
