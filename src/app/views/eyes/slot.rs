@@ -17,23 +17,6 @@ pub struct EyePicture {
     pub number: u64,
 }
 
-/// A picture that is shown a little longer than it is kept up to date.
-pub enum SetAside {
-    Eye(EyePicture),
-    Composed(ComposedPicture),
-}
-
-impl SetAside {
-    /// The texture of the picture.
-    pub const fn texture(&self) -> TextureId {
-        match self {
-            Self::Eye(EyePicture { texture, .. }) | Self::Composed(ComposedPicture { texture, .. }) => {
-                *texture
-            }
-        }
-    }
-}
-
 /// The way in which a picture is to be drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawnBy {
