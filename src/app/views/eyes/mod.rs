@@ -6,7 +6,7 @@ mod meter;
 mod request;
 mod slot;
 
-use eframe::egui::Context;
+use eframe::egui::{Context, TextureId};
 use eframe::egui_wgpu::RenderState;
 use relativity_render::{Composer, Composition, Gpu, GpuError, Method, Renderers};
 
@@ -15,7 +15,7 @@ pub use request::{Request, ShownPicture};
 
 use self::background::{Background, FinishedPicture};
 use self::meter::Meter;
-use self::slot::{ComposedPicture, DrawnBy, EyePicture, SetAside, fitting, fitting_composed};
+use self::slot::{ComposedPicture, DrawnBy, EyePicture, fitting, fitting_composed};
 use crate::accuracy::MethodViews;
 use crate::app::tools::graphics;
 use crate::app::tools::painting;
@@ -29,9 +29,8 @@ pub struct EyePictures {
     renderers: Renderers,
     meter: Meter,
     pictures: [Option<EyePicture>; 2],
-    /// Textures of the pictures before, which are shown until the new ones stand alone; with what they are
-    /// of.
-    set_aside: Vec<SetAside>,
+    /// Textures of the pictures before, which are shown until the new ones stand alone.
+    set_aside: Vec<TextureId>,
     backgrounds: [Option<Background>; 2],
     composer: Option<Composer>,
     composed: Option<ComposedPicture>,
@@ -252,15 +251,14 @@ impl EyePictures {
     /// Keeps the pictures as they are, while others are drawn in their place.
     pub fn set_aside(&mut self) {
         self.forget_set_aside();
-        let pictures = self.pictures.iter_mut().filter_map(Option::take).map(SetAside::Eye);
-        let composed = self.composed.take().map(SetAside::Composed);
-        self.set_aside = pictures.chain(composed).collect();
+        let pictures = self.pictures.iter_mut().filter_map(Option::take).map(|picture| picture.texture);
+        self.set_aside = pictures.chain(self.composed.take().map(|composed| composed.texture)).collect();
     }
 
     /// Gives up what was set aside.
     pub fn forget_set_aside(&mut self) {
-        for picture in self.set_aside.drain(..) {
-            self.render_state.renderer.write().free_texture(&picture.texture());
+        for texture in self.set_aside.drain(..) {
+            self.render_state.renderer.write().free_texture(&texture);
         }
     }
 
