@@ -78,6 +78,7 @@ pub struct Shown {
 
 /// Paints the instruments of whoever rides into the picture of `pane`, off the marks that are to stay in
 /// sight.
+#[must_use]
 pub fn show(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, free: &[Rect]) -> Shown {
     let Some(instruments) = state.instruments() else { return Shown::default() };
     let small = TextStyle::Small.resolve(ui.style()).size;
