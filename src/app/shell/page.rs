@@ -26,7 +26,7 @@ impl App {
             self.show_panel(ui, "bar", bar.shrink2(INSET), panels::bar::show);
         }
         let mut thumbnails = std::mem::take(&mut self.thumbnails);
-        let new = || StartPicture::new(ui.ctx(), self.eyes.as_ref()?.another());
+        let new = || StartPicture::new(ui.ctx(), self.eyes.as_ref()?.another(ui.ctx()));
         let mut head = self.start_picture.take().or_else(new);
         self.show_panel(ui, "start", page, |ui, state, commands| {
             let pictures = panels::start::Pictures { head: head.as_mut(), cards: &mut thumbnails };

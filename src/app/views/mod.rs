@@ -5,6 +5,7 @@ pub mod corrected;
 pub mod dial;
 pub mod examination;
 pub(in crate::app) mod eyes;
+pub(in crate::app) mod fade;
 pub(in crate::app) mod flicker;
 pub(in crate::app) mod halo;
 pub(in crate::app) mod heat_map;
