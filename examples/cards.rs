@@ -33,7 +33,7 @@ fn main() -> anyhow::Result<()> {
         png::write(&card::drawn(lesson, RendererChoice::Reference, SAMPLES)?, &[], &mut bytes)?;
         let file = Path::new(&folder).join(format!("{}.jpg", lesson.name));
         let mut converter = Command::new("convert")
-            .args(["png:-", "-strip", "-quality", QUALITY])
+            .args(["png:-", "-strip", "-sampling-factor", "4:4:4", "-quality", QUALITY])
             .arg(format!("jpg:{}", file.display()))
             .stdin(Stdio::piped())
             .spawn()

@@ -7,7 +7,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use gamow::app::commands::{Command, WindowCommand};
+use gamow::app::commands::{Command, SettingsCommand, WindowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
@@ -41,6 +41,8 @@ pub const TESTS: &[Test] = trials![
 fn newcomers() -> State {
     let mut state = State::open(Settings::default()).expect("a preset");
     state.session.overlay = Some(Overlay::Start);
+    // Pictures that move take time, and are tried by themselves.
+    state.document.settings.window.animations = false;
     state
 }
 
@@ -415,6 +417,11 @@ fn upper_edge(window: &mut Harness<'_, App>) -> Vec<[u8; 4]> {
 
 fn the_picture_of_the_start_page_moves_only_while_it_is_seen() {
     let mut window = window(newcomers());
+    let animate = |window: &mut Harness<'_, App>, is_on: bool| {
+        let value = if is_on { "on" } else { "off" }.to_owned();
+        window.state_mut().run(SettingsCommand::Value { name: "animations", value });
+    };
+    animate(&mut window, true);
     let drawings = |window: &Harness<'_, App>| window.state().start_picture_drawings();
     // A slow machine draws one in a second.
     let run_until = |window: &mut Harness<'_, App>, count: u64| {
@@ -438,9 +445,9 @@ fn the_picture_of_the_start_page_moves_only_while_it_is_seen() {
     window.input_mut().focused = false;
     is_still(&mut window, "behind another window");
     window.input_mut().focused = true;
-    window.ctx.all_styles_mut(|style| style.animation_time = 0.0);
+    animate(&mut window, false);
     is_still(&mut window, "where less motion is asked for");
-    window.ctx.all_styles_mut(|style| style.animation_time = 0.1);
+    animate(&mut window, true);
     let chapter = chapters().remove(0);
     window.get_by_label(&chapter).click();
     is_still(&mut window, "on another page");
