@@ -26,6 +26,7 @@ mod lessons;
 mod manners;
 mod map;
 mod measuring;
+mod named_parts;
 mod own_data;
 mod painting;
 mod pairs;
@@ -79,6 +80,7 @@ fn main() -> ExitCode {
         manners::TESTS,
         map::TESTS,
         measuring::TESTS,
+        named_parts::TESTS,
         own_data::TESTS,
         painting::TESTS,
         pairs::TESTS,
