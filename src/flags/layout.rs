@@ -101,6 +101,13 @@ impl Layout {
         !matches!(self.form(), Form::One(_))
     }
 
+    /// Whether the layout shows two pictures apart, for eyes that look at each by itself: one of them may
+    /// stand alone.
+    #[must_use]
+    pub const fn is_apart(self) -> bool {
+        matches!(self, Self::SideBySide | Self::OverUnder)
+    }
+
     /// Whether the layout is made for two eyes that fuse its pictures, with glasses, crossed or on a screen
     /// of their own.
     #[must_use]

@@ -134,6 +134,8 @@ fn texts(state: &State) -> Vec<String> {
         state.session.lesson.as_ref().is_some_and(gamow::app::state::lesson::Running::is_running);
     let mut texts = match course.place().phase {
         Phase::Ask => vec![step.text.markdown.source().to_owned()],
+        // The truth takes the place of what was to be looked at.
+        Phase::Shown if step.observation.is_some() && course.shows_truth() => Vec::new(),
         Phase::Shown => step.reveal.iter().map(|reveal| reveal.text.markdown.source().to_owned()).collect(),
         Phase::Explained => vec![step.explanation.markdown.source().to_owned()],
     };

@@ -43,6 +43,7 @@ impl State {
     }
 
     fn show_preset(&mut self, preset: &Preset) {
+        self.session.stage.panel = None;
         self.show(preset.settings.clone().in_place_of(&self.document.settings));
     }
 

@@ -3,23 +3,21 @@
 use eframe::egui::{RichText, Ui};
 
 use super::asked::ask;
-use super::cards;
+use super::cards::{self, Room};
 use crate::app::panels::Commands;
-use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
 use crate::lesson::{Choices, Course, Record};
 
 /// Shows the question, and what is to say to its answer.
-pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, commands: &mut Commands) {
+pub fn show(ui: &mut Ui, room: Room, course: &Course, asked: &Choices, commands: &mut Commands) {
     cards::question(ui, &asked.question);
-    let is_presented = state.session.stage.is_presented();
     let observed = course.record().and_then(|record: &Record| record.observed);
-    for (number, text) in asked.options.texts.iter().enumerate() {
+    cards::each(ui, room, &asked.options.texts, |ui, number, text| {
         let is_chosen = observed == Some(number);
-        if cards::choice(ui, text, number, is_chosen, is_presented).clicked() {
+        if cards::choice(ui, text, number, is_chosen).clicked() {
             ask(commands, LessonCommand::Observe(number));
         }
-    }
+    });
     match observed {
         Some(observed) if observed == asked.options.right => {
             ui.label(RichText::new("That is what was shown.").color(cards::right_colour(ui)));
@@ -27,7 +25,7 @@ pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, comman
         Some(_) => {
             ui.label("Something else was shown. That is easily missed: look again.");
             // Before an audience the key that goes back does it.
-            if !is_presented
+            if room == Room::Panel
                 && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()
             {
                 ask(commands, LessonCommand::SetUp);

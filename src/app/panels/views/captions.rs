@@ -9,21 +9,26 @@ use crate::app::state::State;
 use crate::app::tools::awake;
 use crate::app::views::laid_ruler;
 use crate::app::views::offscreen_arrows;
-use crate::app::views::panes::EyePane;
+use crate::app::views::panes::{EyePane, PaneTitle};
 use crate::app::views::predicted_place;
 use crate::app::views::slide;
 
 /// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark.
 pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
-    let ruler = slide::paint(ui, &inside, state, pane);
-    let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
+    slide::paint_resting(ui, &inside, state, pane);
     offscreen_arrows::paint(ui, &inside, pane.rect, &state.offscreen_arrows(pane.eye, pane.size));
+    // Before an audience what is to be said stands below the picture.
+    let is_before_audience = pane.title != PaneTitle::Above;
+    let note = if is_before_audience { String::new() } else { note };
     let note = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
     let handlebar = handlebar(ui, &inside, state, pane);
     // Beside the instruments, where they are.
     let beside = if handlebar.is_positive() { handlebar.min.x } else { pane.rect.max.x };
     let free = EyePane { rect: pane.rect.with_max_x(beside), ..pane };
+    if is_before_audience {
+        return;
+    }
     let unseen = write(ui, &inside, free, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))
@@ -62,9 +67,9 @@ fn handlebar(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> Rect {
 const HINT: &str = "Click a point to follow it.";
 const HINT_TIME: f64 = 12.0;
 
-/// Returns the hint for a newcomer who has not clicked yet: for a while, and never before an audience.
+/// Returns the hint for a newcomer who has not clicked yet: for a while, and never in a lesson.
 fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
-    let is_shown = state.session.hint && !state.session.stage.is_presented();
+    let is_shown = state.session.hint && state.session.lesson.is_none();
     (is_shown && awake::is_new(ui.ctx(), HINT, HINT_TIME)).then(|| HINT.to_owned())
 }
 

@@ -9,7 +9,7 @@ mod rects;
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
 use self::heights::{Heights, LOWEST, height_of_views};
-pub use self::presentation::{Beside, Presentation};
+pub use self::presentation::Presentation;
 use self::rects::{large_enough, split_left, split_right, split_top};
 use crate::app::state::stage::WindowPart;
 use crate::app::views::panes::{Arrangement, Pane, PaneContent};
@@ -205,7 +205,9 @@ impl WindowLayout {
         let speed = self.speed.map(|_| speed);
         let pane = |number: usize, rect: Rect| {
             let rect = rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y));
-            self.panes.get(number).map(|pane| Pane { rect, ..*pane })
+            self.panes
+                .get(number)
+                .map(|pane| Pane { rect: rect.with_max_y((rect.max.y - pane.band).max(rect.min.y)), ..*pane })
         };
         let alone = |rect: Rect| {
             let (panes, map, plots) = match part? {
