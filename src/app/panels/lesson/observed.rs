@@ -6,18 +6,24 @@ use super::asked::ask;
 use super::cards::{self, Room};
 use crate::app::panels::Commands;
 use crate::app::state::lesson::LessonCommand;
-use crate::lesson::{Choices, Course, Record};
+use crate::lesson::{Choices, Course, Record, Text};
 
 /// Shows the question, and what is to say to its answer.
 pub fn show(ui: &mut Ui, room: Room, course: &Course, asked: &Choices, commands: &mut Commands) {
     cards::question(ui, &asked.question);
     let observed = course.record().and_then(|record: &Record| record.observed);
-    cards::each(ui, room, &asked.options.texts, |ui, number, text| {
+    let mut card = |ui: &mut Ui, number: usize, text: &Text| {
         let is_chosen = observed == Some(number);
         if cards::choice(ui, text, number, is_chosen).clicked() {
             ask(commands, LessonCommand::Observe(number));
         }
-    });
+    };
+    let texts = &asked.options.texts;
+    match observed.and_then(|chosen| Some((chosen, texts.get(chosen)?))) {
+        // The truth stands beside it, and the words are to stay large.
+        Some((chosen, text)) if room == Room::Audience => card(ui, chosen, text),
+        _ => cards::each(ui, room, texts, card),
+    }
     match observed {
         Some(observed) if observed == asked.options.right => {
             ui.label(RichText::new("That is what was shown.").color(cards::right_colour(ui)));

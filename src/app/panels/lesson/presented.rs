@@ -1,6 +1,6 @@
 //! The lesson before an audience: the question and its choices, then the truth, then the reason.
 
-use eframe::egui::{TextStyle, Ui};
+use eframe::egui::{Align, Layout, TextStyle, Ui, vec2};
 
 use super::cards::{self, Room};
 use super::{end, form, observed, page, shown};
@@ -57,6 +57,8 @@ fn observed(ui: &mut Ui, running: &Running, step: &Step, commands: &mut Commands
 
 /// Width from which on the words have two columns, in heights of the writing.
 const TWO_COLUMNS: f32 = 36.0;
+/// Share of that width that the truth has.
+const TRUTH_SHARE: f32 = 0.5;
 
 /// Shows the words of the reveal and the question of what was seen, side by side if they fit. The truth
 /// appears once that question is answered.
@@ -70,10 +72,16 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands
         page::said_to_reveal(ui, step);
     }
     match (asks, shows_truth) {
-        (true, true) if is_wide => ui.columns_const(|[left, right]| {
-            compared(left, state, running, step);
-            observed(right, running, step, commands);
-        }),
+        (true, true) if is_wide => {
+            let [left, right] = [TRUTH_SHARE, 1.0 - TRUTH_SHARE]
+                .map(|share| vec2(share * (ui.available_width() - size).max(0.0), 0.0));
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = size;
+                let column = Layout::top_down(Align::Min);
+                ui.allocate_ui_with_layout(left, column, |ui| compared(ui, state, running, step));
+                ui.allocate_ui_with_layout(right, column, |ui| observed(ui, running, step, commands));
+            });
+        }
         _ => {
             if shows_truth {
                 compared(ui, state, running, step);
