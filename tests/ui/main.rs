@@ -38,6 +38,7 @@ mod quality;
 mod random_user;
 mod riding;
 mod saving;
+mod sequence;
 mod slide;
 mod spacetime;
 mod start;
@@ -89,6 +90,7 @@ fn main() -> ExitCode {
         random_user::TESTS,
         riding::TESTS,
         saving::TESTS,
+        sequence::TESTS,
         slide::TESTS,
         spacetime::TESTS,
         start::TESTS,

@@ -49,7 +49,7 @@ fn an_audience_has_one_large_picture_and_words_and_all_comes_back() {
         window.get_by_label(name);
     }
     // The times are told only where somebody asks for them.
-    let tells_times = |window: &Harness<'_, App>| has_label(window, "Light received now");
+    let tells_times = |window: &Harness<'_, App>| has_label(window, "The light reaching you now");
     assert!(!tells_times(&window));
     window.state_mut().run(SettingsCommand::Switch(Switch::Sentence));
     window.run();

@@ -11,6 +11,7 @@ use crate::app::state::pointer::Pick;
 use crate::app::state::queries::audience::panel_of_step;
 use crate::app::tools::clock;
 use crate::lesson::{Animated, Answer, AnswerKind, Answers, Course, Lesson, LessonError, Phase, Prediction};
+use crate::settings::Settings;
 
 /// Entries in a lesson are noted at once: whoever opens it again goes on where it was. Answers are no steps
 /// of the way back: undoing leads back to settings and to places, never to a lesson without an answer that
@@ -27,16 +28,19 @@ impl State {
         }
         let before =
             self.session.lesson.as_ref().map_or(self.document.settings.window, |running| running.before);
+        self.note_layout();
+        let layout = self.lesson_base().picture.layout;
         self.session.lesson = Some(Running {
             course,
             is_folded: false,
             before,
+            layout,
             plots_in: None,
             run: None,
             told: None,
             score: None,
         });
-        (self.session.overlay, self.session.stage.panel) = (None, None);
+        (self.session.overlay, self.session.stage.audience.panel) = (None, None);
         if !lesson.is_a_preset() {
             self.session.next_lesson = Some(lesson.name.clone());
         }
@@ -100,7 +104,7 @@ impl State {
         }
         let Some(now) = self.course().map(Course::place).filter(|now| *now != was) else { return };
         if now.step != was.step {
-            self.session.stage.panel = None;
+            self.session.stage.audience.panel = None;
         }
         let is_same_state = now.step == was.step && (now.phase == Phase::Ask) == (was.phase == Phase::Ask);
         if is_same_state {
@@ -171,6 +175,7 @@ impl State {
 
     /// Works out what the lesson has at its present place, if that or the window has changed.
     pub(in crate::app) fn follow_lesson(&mut self) {
+        self.note_layout();
         let Some(running) = &self.session.lesson else { return };
         let (place, base) = (running.course.place(), self.lesson_base());
         if running.told.as_ref().is_some_and(|told| told.place == place && told.base == base) {
@@ -199,8 +204,20 @@ impl State {
     }
 
     fn close_lesson(&mut self) {
-        self.document.settings.window = self.lesson_base().window;
+        self.note_layout();
+        let Settings { window, picture, .. } = self.lesson_base();
+        (self.document.settings.window, self.document.settings.picture.layout) = (window, picture.layout);
         self.session.lesson = None;
+    }
+
+    /// Notes a layout that is not the one that the lesson set: somebody has chosen it, and keeps it.
+    fn note_layout(&mut self) {
+        let layout = self.document.settings.picture.layout;
+        if let Some(running) = &mut self.session.lesson
+            && running.told.as_ref().is_some_and(|told| told.settings.picture.layout != layout)
+        {
+            running.layout = layout;
+        }
     }
 
     /// Lets what runs run by a `step` of the wall clock, seconds.

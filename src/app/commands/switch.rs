@@ -56,7 +56,7 @@ impl State {
             Switch::Map if self.session.stage.is_presented() => self.switch_panel(SidePanel::Map),
             Switch::Plots if self.session.stage.is_presented() => self.switch_panel(SidePanel::Plot),
             Switch::Sentence if self.session.stage.is_presented() => {
-                self.session.stage.tells_moment = !self.session.stage.tells_moment;
+                self.session.stage.audience.tells_moment = !self.session.stage.audience.tells_moment;
             }
             Switch::Sentence => settings.window.sentence = !settings.window.sentence,
             Switch::Plots => settings.window.plots = !settings.window.plots,
@@ -74,14 +74,14 @@ impl State {
         let picture = &mut self.document.settings.picture;
         let stage = &mut self.session.stage;
         // Before an audience one of two pictures apart is left out, and the layout stays.
-        let leaves_one_out = stage.is_presented() && stage.both_eyes && picture.layout.is_apart();
+        let leaves_one_out = stage.is_presented() && stage.audience.both_eyes && picture.layout.is_apart();
         picture.layout = match (has_both, picture.layout) {
             (true, layout) if leaves_one_out => layout,
             (true, _) => Layout::Left,
             (false, layout) if layout.has_both() => layout,
             (false, _) => Layout::SideBySide,
         };
-        stage.both_eyes = !has_both;
+        stage.audience.both_eyes = !has_both;
     }
 
     /// Shows this panel beside the picture for an audience, or if it is shown none.
@@ -90,7 +90,7 @@ impl State {
             SidePanel::Fit => SidePanel::Plot,
             shown => shown,
         };
-        self.session.stage.panel = Some(if shown == panel { SidePanel::Nothing } else { panel });
+        self.session.stage.audience.panel = Some(if shown == panel { SidePanel::Nothing } else { panel });
     }
 
     fn toggle_frame(&mut self) {

@@ -64,21 +64,17 @@ pub fn show(
     let (heading_room, words) = rect.split_left_right_at_fraction(HEADING_WIDTH);
     let words = words.with_min_x(words.min.x + least);
     let keys = keys_text(state);
-    match lesson {
-        Some((key, lesson)) => {
-            heading(ui, state, heading_room, [notes, &keys]);
-            ui.scope_builder(UiBuilder::new().id_salt("words").max_rect(words), |ui| {
-                fitting(ui, key, |ui| lesson(ui, state, commands));
-            });
-        }
-        None => {
-            heading(ui, state, heading_room, [""; 2]);
-            let (words, foot) = words.split_top_bottom_at_fraction(
-                (1.0 - KEYS_HEIGHT * least / words.height().max(1.0)).clamp(0.0, 1.0),
-            );
-            caption(ui, state, words, least);
-            line(ui, foot, notes, &keys);
-        }
+    if let Some((key, lesson)) = lesson {
+        heading(ui, state, heading_room, [notes, &keys]);
+        ui.scope_builder(UiBuilder::new().id_salt("words").max_rect(words), |ui| {
+            fitting(ui, key, |ui| lesson(ui, state, commands));
+        });
+    } else {
+        heading(ui, state, heading_room, [""; 2]);
+        let share = (1.0 - KEYS_HEIGHT * least / words.height().max(1.0)).clamp(0.0, 1.0);
+        let (words, foot) = words.split_top_bottom_at_fraction(share);
+        caption(ui, state, words, least);
+        line(ui, foot, notes, &keys);
     }
 }
 
@@ -144,8 +140,8 @@ fn title(state: &State) -> String {
 /// whole sentences as have room.
 fn caption(ui: &mut Ui, state: &State, rect: Rect, least: f32) {
     let text = match state.document.preset {
-        Some(preset) if !state.session.stage.tells_moment => preset.caption.clone(),
-        None if !state.session.stage.tells_moment => return,
+        Some(preset) if !state.session.stage.audience.tells_moment => preset.caption.clone(),
+        None if !state.session.stage.audience.tells_moment => return,
         _ => state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}"),
     };
     let colour = ui.visuals().strong_text_color();

@@ -17,7 +17,7 @@ impl App {
     /// Lays out a window with this inner `area` for an audience.
     pub(in crate::app) fn presentation(&self, ui: &Ui, area: Rect) -> Presentation {
         let state = &*self.state;
-        let arranged = self.arranged(ui).for_audience(state.session.stage.both_eyes);
+        let arranged = self.arranged(ui).for_audience(state.session.stage.audience.both_eyes);
         Presentation::new(area, &arranged, state.session.lesson.is_some(), state.reserved_panel())
     }
 

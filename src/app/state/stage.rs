@@ -27,6 +27,17 @@ pub enum SidePanel {
     Fit,
 }
 
+/// The choices of a presenter for the audience.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Audience {
+    /// Whether it has both eyes' pictures, where one alone could stand for them.
+    pub both_eyes: bool,
+    /// The panel beside the picture, if one was chosen: else what a preset or the step of a lesson is about.
+    pub panel: Option<SidePanel>,
+    /// Whether it is told the moment in words in place of a caption.
+    pub tells_moment: bool,
+}
+
 /// The temporary modes of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stage {
@@ -38,13 +49,8 @@ pub struct Stage {
     pub projector: bool,
     /// Whether the window is the screen of a stereoscope.
     pub stereoscope: bool,
-    /// Whether an audience has both eyes' pictures, where one alone could stand for them.
-    pub both_eyes: bool,
-    /// The panel beside the picture for an audience, if one was chosen: else what a preset or the step of a
-    /// lesson is about.
-    pub panel: Option<SidePanel>,
-    /// Whether an audience is told the moment in words in place of a caption.
-    pub tells_moment: bool,
+    /// The choices of a presenter for the audience.
+    pub audience: Audience,
     /// While it is presented: whether it had the whole screen before.
     before: Option<bool>,
 }
@@ -58,9 +64,7 @@ impl Stage {
             maximised: None,
             projector: false,
             stereoscope: false,
-            both_eyes: false,
-            panel: None,
-            tells_moment: false,
+            audience: Audience { both_eyes: false, panel: None, tells_moment: false },
             before: Some(false),
         }
     }
@@ -69,6 +73,12 @@ impl Stage {
     #[must_use]
     pub const fn is_presented(&self) -> bool {
         self.before.is_some()
+    }
+
+    /// Whether somebody besides the user looks on: here, or in the projector's window.
+    #[must_use]
+    pub const fn has_audience(&self) -> bool {
+        self.is_presented() || self.projector
     }
 
     /// Begins to present, on the whole screen, or ends it; then all is as it was before.

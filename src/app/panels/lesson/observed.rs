@@ -26,10 +26,10 @@ pub fn show(ui: &mut Ui, room: Room, course: &Course, asked: &Choices, commands:
     }
     match observed {
         Some(observed) if observed == asked.options.right => {
-            ui.label(RichText::new("That is what was shown.").color(cards::right_colour(ui)));
+            ui.label(RichText::new("Yes, that is what happened.").color(cards::right_colour(ui)));
         }
         Some(_) => {
-            ui.label("Something else was shown. That is easily missed: look again.");
+            ui.label("Something else happened. It is easily missed: look again.");
             // Before an audience the key that goes back does it.
             if room == Room::Panel
                 && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()

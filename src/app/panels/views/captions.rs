@@ -67,9 +67,11 @@ fn handlebar(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> Rect {
 const HINT: &str = "Click a point to follow it.";
 const HINT_TIME: f64 = 12.0;
 
-/// Returns the hint for a newcomer who has not clicked yet: for a while, and never in a lesson.
+/// Returns the hint for a newcomer who has not clicked yet: for a while, never before an audience, and never
+/// in a lesson, which says itself what to do.
 fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
-    let is_shown = state.session.hint && state.session.lesson.is_none();
+    let is_alone = !state.session.stage.has_audience() && state.session.lesson.is_none();
+    let is_shown = state.session.hint && is_alone;
     (is_shown && awake::is_new(ui.ctx(), HINT, HINT_TIME)).then(|| HINT.to_owned())
 }
 

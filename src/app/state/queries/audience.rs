@@ -9,7 +9,7 @@ impl State {
     #[must_use]
     pub fn has_both_eyes(&self) -> bool {
         let (settings, stage) = (&self.document.settings, &self.session.stage);
-        let is_one_left_out = stage.is_presented() && !stage.both_eyes && settings.picture.layout.is_apart();
+        let is_one_left_out = stage.is_presented() && !stage.audience.both_eyes && settings.picture.layout.is_apart();
         settings.picture.layout.has_both() && (!is_one_left_out || settings.is_comparing())
     }
 
@@ -17,7 +17,7 @@ impl State {
     #[must_use]
     pub fn side_panel(&self) -> SidePanel {
         let settings = &self.document.settings;
-        match self.session.stage.panel {
+        match self.session.stage.audience.panel {
             Some(SidePanel::Plot) => self.plot_panel(),
             Some(panel) => panel,
             None if self.shows_sketch() => SidePanel::Plot,
@@ -32,7 +32,7 @@ impl State {
     #[must_use]
     pub fn reserved_panel(&self) -> SidePanel {
         let told = self.session.lesson.as_ref().and_then(|running| running.told.as_ref());
-        let of_step = told.map(|told| told.panel).filter(|_| self.session.stage.panel.is_none());
+        let of_step = told.map(|told| told.panel).filter(|_| self.session.stage.audience.panel.is_none());
         of_step.unwrap_or(SidePanel::Nothing).max(self.side_panel())
     }
 

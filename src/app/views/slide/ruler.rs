@@ -57,7 +57,9 @@ pub fn paint(
     let has_speeds = is_in_window || state.session.lesson.is_some();
     spectrum::paint(&painter, state, slide, columns, is_in_window);
     let mut labels = LabelPlaces::new(columns.ticks.expand2(vec2(0.0, columns.ticks.height())), BETWEEN);
-    title.into_iter().for_each(|title| labels.keep_free(title));
+    if let Some(title) = title {
+        labels.keep_free(title);
+    }
     let ruler = Ruler { painter, columns, visuals: ui.visuals(), is_in_window };
     let named = if has_speeds {
         if is_in_window {
