@@ -276,8 +276,8 @@ fn red_share(window: &mut Harness<'_, App>, by: &str) -> f64 {
     for y in rect.min.y as u32..rect.max.y as u32 {
         for x in rect.min.x as u32..rect.max.x as u32 {
             let [r, g, b, _] = picture.get_pixel(x, y).0.map(i32::from);
-            // Light of one wavelength has no grey in it; background and antialiased outlines have.
-            if r.min(g).min(b) > 12 {
+            // Light of one wavelength has hardly any grey in it; background and antialiased outlines have.
+            if 4 * r.min(g).min(b) > r.max(g).max(b) {
                 continue;
             }
             bodies += 1;

@@ -74,7 +74,8 @@ impl State {
         let picture = &mut self.document.settings.picture;
         let stage = &mut self.session.stage;
         // Before an audience one of two pictures apart is left out, and the layout stays.
-        let leaves_one_out = stage.is_presented() && stage.audience.both_eyes && picture.layout.is_apart();
+        let leaves_one_out =
+            stage.is_presented() && stage.audience.both_eyes && picture.layout.shows_two_apart();
         picture.layout = match (has_both, picture.layout) {
             (true, layout) if leaves_one_out => layout,
             (true, _) => Layout::Left,

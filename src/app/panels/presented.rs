@@ -12,7 +12,6 @@ use crate::app::state::stage::SidePanel;
 use crate::app::widgets::fitted;
 use crate::app::widgets::theme;
 use crate::caption::beginnings;
-use crate::number_text;
 
 /// Least size of writing before an audience, as a part of the window's height.
 pub const LEAST_SHARE: f32 = 0.03;
@@ -94,7 +93,10 @@ fn heading(ui: &mut Ui, state: &State, rect: Rect, others: [&str; 2]) {
         let strong = ui.visuals().strong_text_color();
         let least = TextStyle::Small.resolve(ui.style()).size;
         let write = |ui: &mut Ui, text: RichText| ui.add(Label::new(text).selectable(false));
-        write(ui, RichText::new(speed_text(state)).size(SPEED * least).color(strong));
+        write(ui, RichText::new(state.told_speed_text()).size(SPEED * least).color(strong));
+        if let Some(others) = state.others_speed_text() {
+            write(ui, RichText::new(others).size(least));
+        }
         write(ui, RichText::new(title(state)).size(least).weak());
         let free = ui.available_rect_before_wrap().intersect(rect);
         let font = FontId::proportional(least);
@@ -111,16 +113,6 @@ fn heading(ui: &mut Ui, state: &State, rect: Rect, others: [&str; 2]) {
             });
         }
     });
-}
-
-/// The speed that is told, in the scene's units too.
-fn speed_text(state: &State) -> String {
-    let speed = state.speed();
-    let beta = number_text::beta(&speed);
-    match state.measures().speed(&speed) {
-        Some(speed) => format!("β = {beta}   {speed}"),
-        None => format!("β = {beta}"),
-    }
 }
 
 /// The title of what is shown: of the lesson, with its step, of the preset or of the scene.

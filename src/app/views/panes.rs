@@ -89,7 +89,7 @@ impl Arrangement {
     #[must_use]
     pub fn for_audience(self, has_both: bool) -> Self {
         let mut picture = self.picture;
-        if picture.layout.is_apart() && !has_both && !self.is_comparing {
+        if picture.layout.shows_two_apart() && !has_both && !self.is_comparing {
             picture.layout = Layout::Left;
         }
         let without = Self { picture, title: 0.0, ..self };

@@ -17,12 +17,18 @@ pub fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_ma
     let projection = projection_note(&state.view(eye, state.frame.picture_size).camera);
     let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
-    joined([geometry, model, projection, colour, street, method, heat_map])
+    joined([readiness(state), geometry, model, projection, colour, street, method, heat_map])
 }
 
 /// Returns the notes on the picture in `pane` for an audience, which are not about how it was drawn.
 pub fn note_for_audience(ui: &Ui, state: &State, pane: EyePane) -> String {
-    joined(notes_on_light(state, pane.eye).into_iter().chain([unseen(ui, state, pane)]))
+    let notes = [readiness(state)].into_iter().chain(notes_on_light(state, pane.eye));
+    joined(notes.chain([unseen(ui, state, pane)]))
+}
+
+/// Says while it is so that T waits for what draws the picture.
+fn readiness(state: &State) -> Option<String> {
+    state.frame.is_getting_ready.then(|| "getting ready".to_owned())
 }
 
 fn joined(notes: impl IntoIterator<Item = Option<String>>) -> String {

@@ -9,7 +9,8 @@ impl State {
     #[must_use]
     pub fn has_both_eyes(&self) -> bool {
         let (settings, stage) = (&self.document.settings, &self.session.stage);
-        let is_one_left_out = stage.is_presented() && !stage.audience.both_eyes && settings.picture.layout.is_apart();
+        let is_one_left_out =
+            stage.is_presented() && !stage.audience.both_eyes && settings.picture.layout.shows_two_apart();
         settings.picture.layout.has_both() && (!is_one_left_out || settings.is_comparing())
     }
 
