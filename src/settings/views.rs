@@ -21,8 +21,7 @@ const ACROSS: f64 = 1e-3;
 
 /// The field of view of a whole passage at least, degrees: u from -2.5 to 2.5 in a conformal picture.
 const FOV_OF_PASSAGE: f64 = 161.23;
-/// The share of a strip's height that the outline of what moves has at most: the ruler takes some of the
-/// rest.
+/// The share of a strip's height that the outline of what moves has at most.
 const SHARE_OF_PASSAGE: f64 = 0.6;
 /// Width of the pictures that fields of view are set for, in heights.
 const USUAL_ASPECT: f64 = 16.0 / 9.0;

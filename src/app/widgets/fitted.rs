@@ -3,7 +3,6 @@
 use std::hash::Hash;
 
 use eframe::egui::{ScrollArea, Ui, UiBuilder};
-
 use relativity_core::math;
 
 use crate::app::widgets::theme;
