@@ -69,8 +69,10 @@ pub struct Arrangement {
 /// audience, where it has one row of ticks alone.
 const BAND: f32 = 30.0;
 const BAND_FOR_AUDIENCE: f32 = 18.0;
-/// Pictures less high than this, with their bands, do without.
-const LEAST_WITH_BAND: f32 = 110.0;
+/// Pictures less high than this, with their bands, do without, unless they are narrow.
+const LEAST_WITH_BAND: f32 = 220.0;
+/// Height of a narrow picture above its band at least, in widths.
+const LEAST_ABOVE_BAND: f32 = 0.74;
 
 impl Arrangement {
     /// Returns the arrangement of `settings`, where a point of the window has this size on the screen (above
@@ -121,7 +123,9 @@ impl Arrangement {
         let of_eyes = if form == Form::Beside { 2.0 } else { 1.0 };
         let columns = if self.corrected { of_eyes + 1.0 } else { of_eyes };
         let width = ((area.width() - GAP * (columns - 1.0)) / columns).max(1.0);
-        let band = if area.height() >= self.scale * LEAST_WITH_BAND { self.band } else { 0.0 };
+        let is_narrow = area.height() - self.title - self.band >= LEAST_ABOVE_BAND * width;
+        let has_band = is_narrow || area.height() >= self.scale * LEAST_WITH_BAND;
+        let band = if has_band { self.band } else { 0.0 };
         let column = |number: f32, width: f32| {
             let x = area.min.x + number * (width + GAP);
             let bottom = (area.max.y - band).max(area.min.y);

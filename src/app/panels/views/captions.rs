@@ -24,31 +24,32 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let marks_points = !is_before_audience || state.has_markers_for_audience();
     let marked = if marks_points { marked(state, pane) } else { Vec::new() };
     let instruments = instruments::show(ui, &inside, state, pane, &marked);
-    let above = instruments.iter().fold(pane.rect.max.y, |top, part| top.min(part.min.y));
-    let arrows = state.offscreen_arrows(pane.eye, pane.size);
-    offscreen_arrows::paint(ui, &inside, pane.rect.with_max_y(above), &arrows);
-    if is_before_audience {
-        // What is to be said stands below the picture.
-        return;
-    }
-    let unseen = unseen(ui, state, pane).unwrap_or_default();
-    let notes = if instruments.is_empty() {
+    let places = instruments.places.clone();
+    // Before an audience what is to be said stands below the picture.
+    let note = if is_before_audience { String::new() } else { note };
+    let unseen = unseen(ui, state, pane).filter(|_| !is_before_audience).unwrap_or_default();
+    let notes = if places.is_empty() {
         [(Align2::LEFT_BOTTOM, note), (Align2::LEFT_TOP, unseen)]
             .map(|(corner, text)| write(ui, &inside, pane, corner, text))
             .to_vec()
     } else {
         // The handlebar and what is marked stay free.
         let lines: Vec<_> = [unseen, note].into_iter().filter(|text| !text.is_empty()).collect();
-        let (text, taken) = (lines.join("\n"), [instruments.as_slice(), &marked].concat());
+        let (text, taken) = (lines.join("\n"), [places.as_slice(), &marked].concat());
         let corner = free_corner(ui, &inside, pane, &text, &taken, UPPER_CORNERS);
         vec![write(ui, &inside, pane, corner, text)]
     };
+    let covered = [places.as_slice(), &notes].concat();
+    let way = instruments.write_beside(&inside, pane.rect, &[covered.as_slice(), &marked].concat());
+    let covered: Vec<_> = covered.into_iter().chain(way).collect();
+    let above = places.iter().fold(pane.rect.max.y, |top, part| top.min(part.min.y));
+    let arrows = state.offscreen_arrows(pane.eye, pane.size);
+    offscreen_arrows::paint(ui, &inside, pane.rect.with_max_y(above), &arrows, &covered);
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))
         .or_else(|| newcomers_hint(ui, state));
-    if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
-        let taken = [notes.as_slice(), &instruments].concat();
-        let corner = free_corner(ui, &inside, pane, &hint, &taken, LOWER_CORNERS);
+    if let Some(hint) = hint.filter(|_| pane.takes_the_mouse() && !is_before_audience) {
+        let corner = free_corner(ui, &inside, pane, &hint, &covered, LOWER_CORNERS);
         let place = write(ui, &inside, pane, corner, hint.clone());
         let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &hint));
@@ -71,7 +72,7 @@ fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
 const LOWER_CORNERS: [Align2; 4] =
     [Align2::CENTER_BOTTOM, Align2::RIGHT_BOTTOM, Align2::RIGHT_TOP, Align2::CENTER_CENTER];
 const UPPER_CORNERS: [Align2; 4] =
-    [Align2::LEFT_TOP, Align2::RIGHT_TOP, Align2::LEFT_CENTER, Align2::RIGHT_CENTER];
+    [Align2::LEFT_TOP, Align2::RIGHT_TOP, Align2::RIGHT_CENTER, Align2::LEFT_TOP];
 
 /// The first of the `corners` in which `text` covers none of the `others`; the last where there is none.
 fn free_corner(
