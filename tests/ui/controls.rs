@@ -255,7 +255,7 @@ fn settings_survive_saving_and_loading() {
 }
 
 /// Returns the labels of all that can be clicked, dragged or typed into, besides plots and views.
-fn controls(window: &Harness<'_, App>) -> Vec<String> {
+pub fn controls(window: &Harness<'_, App>) -> Vec<String> {
     let is_control = |role: Role| {
         matches!(
             role,

@@ -60,7 +60,8 @@ pub fn window(state: State) -> Harness<'static, App> {
 }
 
 /// A window with room for every part, its whole bar, and a map.
-pub fn wide_window(state: State) -> Harness<'static, App> {
+pub fn wide_window(mut state: State) -> Harness<'static, App> {
+    state.run(SettingsCommand::Value { name: "map", value: "on".to_owned() });
     window_of_size(state, [1280.0, 800.0], 1.0)
 }
 

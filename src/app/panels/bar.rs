@@ -95,7 +95,9 @@ fn lessons(ui: &mut Ui, state: &State, commands: &mut Commands) {
 /// Shows as many whole sentences of the preset's caption as fit in two lines, and all of it on hover.
 fn caption(ui: &mut Ui, state: &State) {
     let has_room = ui.available_width() >= NARROWEST_CAPTION;
-    let Some(preset) = state.document.preset.filter(|_| has_room) else { return };
+    // A preset says nothing of own data.
+    let is_told = has_room && state.session.data.is_none();
+    let Some(preset) = state.document.preset.filter(|_| is_told) else { return };
     let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
     let laid = |text: &str| {

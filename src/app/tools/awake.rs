@@ -48,6 +48,28 @@ pub fn is_new(ctx: &Context, what: &'static str, seconds: f64) -> bool {
     is_new
 }
 
+/// Something that is shown in every frame of the window since a time.
+#[derive(Debug, Clone, Copy)]
+struct Shown {
+    key: Id,
+    since: f64,
+    pass: u64,
+}
+
+/// Returns for how many seconds `what` is shown without a break, with the same `key` all the time.
+#[must_use]
+pub fn shown_for(ctx: &Context, what: &'static str, key: impl std::hash::Hash + std::fmt::Debug) -> f64 {
+    // Two panes show it in one pass, and a pass may be discarded and made again.
+    const PASSES_WITHOUT: u64 = 3;
+    let (id, key) = (Id::unique((what, ctx.viewport_id())), Id::unique((what, key)));
+    let (now, pass) = (ctx.input(|input| input.time), ctx.cumulative_pass_nr());
+    let before = ctx.data(|data| data.get_temp::<Shown>(id));
+    let goes_on = before.filter(|shown| shown.key == key && pass <= shown.pass + PASSES_WITHOUT);
+    let since = goes_on.map_or(now, |shown| shown.since);
+    ctx.data_mut(|data| data.insert_temp(id, Shown { key, since, pass }));
+    now - since
+}
+
 /// Returns whether a click has opened the full hover label, until the pointer moves on or a key is pressed.
 #[must_use]
 pub fn is_opened(ctx: &Context) -> bool {

@@ -102,6 +102,15 @@ pub struct WindowSettings {
     pub theme: Theme,
 }
 
+impl WindowSettings {
+    /// Returns these settings with few controls and words in place of numbers, as in a new user's window, or
+    /// with all of both.
+    #[must_use]
+    pub const fn with_few(self, few: bool) -> Self {
+        Self { simple: few, spectrum: !few, sentence: !few, readout: !few, ..self }
+    }
+}
+
 impl Default for WindowSettings {
     fn default() -> Self {
         Self {

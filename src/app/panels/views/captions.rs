@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{self, Align2, Color32, Galley, Painter, Rect, Sense, TextStyle, Ui, vec2};
+use eframe::egui::{self, Align2, Color32, Galley, Id, Painter, Rect, Sense, TextStyle, Ui, vec2};
 
 use super::notes::unseen;
 use crate::app::state::State;
@@ -19,12 +19,15 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let ruler = slide::paint(ui, &inside, state, pane);
     let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
     offscreen_arrows::paint(ui, &inside, pane.rect, &state.offscreen_arrows(pane.eye, pane.size));
-    let note = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
+    let why_dark = unseen(ui, state, pane).unwrap_or_default();
+    let mut notes = inside.clone();
+    notes.set_opacity(notes_opacity(ui, pane, &[&note, &why_dark]));
+    let note = write(ui, &notes, pane, Align2::LEFT_BOTTOM, note);
     let handlebar = handlebar(ui, &inside, state, pane);
     // Beside the instruments, where they are.
     let beside = if handlebar.is_positive() { handlebar.min.x } else { pane.rect.max.x };
     let free = EyePane { rect: pane.rect.with_max_x(beside), ..pane };
-    let unseen = write(ui, &inside, free, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
+    let unseen = write(ui, &notes, free, Align2::LEFT_TOP, why_dark);
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))
         .or_else(|| newcomers_hint(ui, state));
@@ -35,6 +38,28 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &hint));
     }
 }
+
+/// Seconds for which notes on a picture stand there without the pointer, and in which they come and go.
+const NOTES_TIME: f64 = 4.0;
+const NOTES_FADE: f32 = 0.2;
+
+/// Returns the opacity of the `notes` on the picture in `pane`: they fade a while after they are new, and come
+/// back while the pointer moves over the picture, or the keyboard is at it.
+fn notes_opacity(ui: &Ui, pane: EyePane, notes: &[&String]) -> f32 {
+    let (ctx, name) = (ui.ctx(), NOTES[pane.index()]);
+    let left = NOTES_TIME - awake::shown_for(ctx, name, notes);
+    if left > 0.0 {
+        ctx.request_repaint_after_secs(left as f32 + 0.01);
+    }
+    let is_pointed = ui.rect_contains_pointer(pane.rect) && awake::is_moved(ctx);
+    let focused = ctx.memory(|memory| memory.focused()).and_then(|id| ctx.read_response(id));
+    let is_focused = focused.is_some_and(|response| response.rect == pane.rect);
+    // Where the style has no animations they come and go at once.
+    let fade = if ui.style().animation_time > 0.0 { NOTES_FADE } else { 0.0 };
+    ctx.animate_bool_with_time(Id::unique(name), left > 0.0 || is_pointed || is_focused, fade)
+}
+
+const NOTES: [&str; 2] = ["notes on the first picture", "notes on the second picture"];
 
 /// The greatest part of a picture's height that the instruments cover.
 const SHARE_OF_INSTRUMENTS: f32 = 0.35;
