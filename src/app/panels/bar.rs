@@ -41,7 +41,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let width = ui.available_width();
     ui.horizontal_centered(|ui| {
         if width >= NARROWEST_WITH_NAME {
-            ui.label(RichText::new("Gamow").heading().strong());
+            ui.label(RichText::new("Gamow").strong());
         }
         file_menu::show(ui, state, commands);
         scene(ui, state, commands);

@@ -7,7 +7,7 @@ use crate::app::widgets::theme;
 
 /// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and words at
 /// the end are left out.
-const SIZES: [f32; 4] = [14.0, 13.0, 12.0, theme::SMALLEST_SIZE];
+const SIZES: [f32; 2] = [theme::BODY_SIZE, theme::SMALL_SIZE];
 
 /// Greatest magnification relative to other large writing.
 const LARGEST: f32 = 1.5;
@@ -32,7 +32,7 @@ pub fn show(ui: &mut Ui, state: &State) {
     let galley = fitting.unwrap_or_else(|| {
         let cut = |words: &[&str]| {
             let text = format!("{} …", words.join(" "));
-            let font = FontId::proportional(theme::SMALLEST_SIZE);
+            let font = FontId::proportional(theme::SMALL_SIZE);
             ui.painter().layout(text, font, colour, rect.width())
         };
         let words: Vec<&str> = tied.split(' ').collect();

@@ -292,8 +292,11 @@ impl TimeMark {
     /// Returns the text below the scrubber, with the mark at this `fraction` of its way; `with_time` says when
     /// it is.
     fn text(&self, unit: Unit, fraction: f64, with_time: bool) -> String {
-        let text =
-            if with_time { format!("{} {}", self.name, unit.text(self.time, 2)) } else { self.name.to_owned() };
+        let text = if with_time {
+            format!("{} {}", self.name, unit.text(self.time, 2))
+        } else {
+            self.name.to_owned()
+        };
         match fraction {
             ..0.0 => format!("← {text}"),
             0.0..=1.0 => text,

@@ -132,7 +132,7 @@ impl Default for WindowSettings {
             resting: false,
             vignette: false,
             units: Units::Natural,
-            theme: Theme::Dark,
+            theme: Theme::Light,
         }
     }
 }

@@ -99,13 +99,7 @@ fn offer_fit(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
 
 /// Plots over T side by side, each below what it is called and what it is now. At the right end of the titles
 /// this width is `taken`.
-fn over_time(
-    ui: &mut Ui,
-    state: &State,
-    curves: &[QuantityCurves],
-    taken: f32,
-    commands: &mut Commands,
-) {
+fn over_time(ui: &mut Ui, state: &State, curves: &[QuantityCurves], taken: f32, commands: &mut Commands) {
     let high = ui.available_height() - ABOVE_AND_BELOW;
     let charts: Vec<TimePlot<'_>> =
         state.plotted_quantities().iter().map(|&quantity| chart(state, curves, quantity, high)).collect();
@@ -178,9 +172,12 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &TimePlot<'_>, comm
     let ([from, to], [low, high]) = (chart.range, chart.value_range());
     let plot = plot_over_time(ui, ("plot", quantity.row().id), chart.time_unit, size);
     let visuals = ui.visuals().clone();
+    // T0 is marked for who points at the plot.
+    let is_pointed = ui.rect_contains_pointer(Rect::from_min_size(ui.cursor().min, size));
+    let equidistant = chart.equidistant.filter(|_| is_pointed);
     let response = chart.ruler().beside(plot).show(ui, |plot| {
         plot.set_plot_bounds(PlotBounds::from_min_max([from, low], [to, high]));
-        lines(plot, chart, &visuals);
+        lines(plot, chart, equidistant, &visuals);
         for trace in &chart.traces {
             trace.draw(plot, &visuals, chart.now);
         }
@@ -189,7 +186,7 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &TimePlot<'_>, comm
     for trace in &chart.traces {
         trace.keep_clear(&mut labels, &response, chart.now);
     }
-    annotate(ui, &response, (chart.clock, chart.time_unit), chart.equidistant, &mut labels);
+    annotate(ui, &response, (chart.clock, chart.time_unit), equidistant, &mut labels);
     axes::name_cursors(ui, &response, &chart.cursors, &mut labels);
     legend::show(ui, &response, chart, &mut labels);
     describe(&response, state, quantity);
@@ -197,10 +194,15 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &TimePlot<'_>, comm
     gestures::read(ui, state, &response, chart, commands);
 }
 
-/// The times that are marked.
-fn lines(plot: &mut PlotUi<'_>, chart: &TimePlot<'_>, visuals: &egui::Visuals) {
+/// Draws the times that are marked: T, the cursors, and T0 where it is `equidistant`.
+fn lines(
+    plot: &mut PlotUi<'_>,
+    chart: &TimePlot<'_>,
+    equidistant: Option<(f64, &str)>,
+    visuals: &egui::Visuals,
+) {
     let line = |name: &str, time: f64| VLine::new(name, time).width(1.0).allow_hover(false);
-    if let Some((time, _)) = chart.equidistant {
+    if let Some((time, _)) = equidistant {
         let colour = theme::equidistance_colour(visuals);
         plot.vline(line("T₀", time).color(colour).style(LineStyle::dashed_dense()));
     }

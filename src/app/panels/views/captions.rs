@@ -53,7 +53,9 @@ fn notes_opacity(ui: &Ui, pane: EyePane, notes: &[&String]) -> f32 {
     }
     let is_pointed = ui.rect_contains_pointer(pane.rect) && awake::is_moved(ctx);
     let focused = ctx.memory(|memory| memory.focused()).and_then(|id| ctx.read_response(id));
-    let is_focused = focused.is_some_and(|response| response.rect == pane.rect);
+    let is_focused = focused.is_some_and(|response| {
+        response.rect.width() == pane.rect.width() && response.rect.contains(pane.rect.center())
+    });
     // Where the style has no animations they come and go at once.
     let fade = if ui.style().animation_time > 0.0 { NOTES_FADE } else { 0.0 };
     ctx.animate_bool_with_time(Id::unique(name), left > 0.0 || is_pointed || is_focused, fade)

@@ -130,7 +130,8 @@ impl WindowLayout {
         let (centre, side) = if with_side { split_right(below, side_width) } else { (below, None) };
         let SideParts { controls, map: map_aside, readout } =
             side.map_or_else(SideParts::default, |side| SideParts::new(side, window));
-        let shown = WindowSettings { map: if map_aside.is_some() { Presence::Off } else { window.map }, ..window };
+        let shown =
+            WindowSettings { map: if map_aside.is_some() { Presence::Off } else { window.map }, ..window };
         let timeline_height = TIMELINE_HEIGHTS[usize::from(!has_timeline_in_a_row(window, centre.width()))];
         let height = centre.height() - speed_height - timeline_height;
         let is_high = has_table(tab) || shown.map == Presence::On;
@@ -286,9 +287,7 @@ fn part(share: Share, whole: f32, default: f32, [least, rest]: [f32; 2]) -> f32 
 fn borders(area: Rect, side: Option<Rect>, strip: Option<(Rect, f32)>, plots: Option<Rect>) -> Vec<Border> {
     let lower = strip.map_or(area, |(lower, _)| lower);
     let borders = [
-        side.map(|side| {
-            upright(BorderParts::Side, side.left_top(), side.height(), [area.max.x, area.min.x])
-        }),
+        side.map(|side| upright(BorderParts::Side, side.left_top(), side.height(), [area.max.x, area.min.x])),
         strip.map(|(lower, free)| level(BorderParts::Strip, lower, [lower.max.y, lower.max.y - free])),
         plots.map(|plots| {
             upright(BorderParts::Map, plots.left_top(), plots.height(), [lower.min.x, lower.max.x])

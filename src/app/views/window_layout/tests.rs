@@ -35,9 +35,12 @@ fn shares(size: [f32; 2], window: WindowSettings) -> (f32, f32) {
 
 #[test]
 fn pictures_have_half_of_the_height_with_few_controls_and_with_all() {
-    for (size, plots) in
-        [([1280.0, 800.0], 130.0), ([1366.0, 768.0], 130.0), ([1920.0, 1080.0], 200.0), ([1024.0, 600.0], 130.0)]
-    {
+    for (size, plots) in [
+        ([1280.0, 800.0], 130.0),
+        ([1366.0, 768.0], 130.0),
+        ([1920.0, 1080.0], 200.0),
+        ([1024.0, 600.0], 130.0),
+    ] {
         let (few, below) = shares(size, WindowSettings::default().with_few(true));
         assert!(few >= 0.5 && below >= plots, "{size:?}: {few} {below}");
         let (all, below) = shares(size, WindowSettings::default());
@@ -51,7 +54,8 @@ fn among_few_controls_the_map_stands_below_them_and_the_plots_have_the_strip() {
     let few = WindowSettings::default().with_few(true);
     for size in [[1024.0, 600.0], [1280.0, 800.0], [1920.0, 1080.0]] {
         let layout = sized(size, few);
-        let [controls, map, readout] = [layout.controls, layout.map, layout.readout].map(|part| part.expect("shown"));
+        let [controls, map, readout] =
+            [layout.controls, layout.map, layout.readout].map(|part| part.expect("shown"));
         assert!(controls.max.y <= map.min.y && map.max.y <= readout.min.y, "{size:?}");
         assert!(map.width() > 300.0 && map.height() > 170.0, "{size:?} {map:?}");
         assert!(layout.plots.expect("shown").max.x <= controls.min.x, "{size:?}");

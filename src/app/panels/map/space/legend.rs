@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Color32, Galley, Rect, Ui, pos2, vec2};
+use eframe::egui::{Color32, Galley, Rect, TextStyle, Ui, pos2, vec2};
 
 use super::sheet::colour;
 use crate::app::state::State;
@@ -10,9 +10,8 @@ use crate::app::widgets::theme;
 use crate::map::BodyPicture;
 use crate::settings::MapFrame;
 
-/// Height of the legend, and the size of its writing.
+/// Height of the legend.
 const HEIGHT: f32 = 18.0;
-const FONT_SIZE: f32 = 12.0;
 /// Side of a square of colour, and the space after it and after each entry.
 const SQUARE: f32 = 9.0;
 const AFTER: f32 = 4.0;
@@ -36,7 +35,7 @@ pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
         MapFrame::Ground | MapFrame::Rider => &WORDS,
         MapFrame::Bicycle => &ON_BOARD,
     };
-    let font = theme::scaled_font(ui.style(), FONT_SIZE);
+    let font = TextStyle::Small.resolve(ui.style());
     let [height, square_side] = [HEIGHT, SQUARE].map(|points| points * theme::text_scale(ui.style()));
     let laid_out = |which: usize| -> Vec<(Color32, Arc<Galley>)> {
         let entry = |(picture, words): &(BodyPicture, [&str; 2])| {

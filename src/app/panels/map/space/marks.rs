@@ -1,6 +1,6 @@
 //! The eyes, and the followed points in each of their pictures.
 
-use eframe::egui::{Align2, Stroke, vec2};
+use eframe::egui::{Align2, Stroke, TextStyle, pos2, vec2};
 
 use super::sheet::{SheetPainter, colour};
 use crate::app::panels::map::canvas;
@@ -9,7 +9,6 @@ use crate::eye::Eye;
 use crate::map::{BodyPicture, MapProjection};
 use crate::settings::MapFrame;
 
-const FONT_SIZE: f32 = 12.5;
 /// Distance from x = 0 that counts as abreast, points.
 const ABREAST: f64 = 4.0;
 const EYE_RADIUS: f32 = 4.0;
@@ -24,6 +23,7 @@ pub(super) fn show(on: &mut SheetPainter<'_>) {
     eyes(on);
     points(on);
     abreast(on);
+    beyond(on);
 }
 
 fn points(on: &SheetPainter<'_>) {
@@ -49,6 +49,20 @@ fn points(on: &SheetPainter<'_>) {
     }
 }
 
+/// Says where the selected point is measured when that is off the sheet, ahead of where it is seen.
+fn beyond(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
+    let (room, point) = (sheet.room(), state.document.points.selected());
+    let Some(at) = instant.place(&point.track, BodyPicture::Measured).map(|at| sheet.on_screen(at)) else {
+        return;
+    };
+    if sheet.projection == MapProjection::Plan && at.x > room.max.x && room.y_range().contains(at.y) {
+        let place = (pos2(room.max.x - 4.0, at.y), Align2::RIGHT_CENTER);
+        let font = TextStyle::Small.resolve(ui.style());
+        labels.write_at(painter, place, "measured now →", font, theme::measured_colour(ui.visuals()));
+    }
+}
+
 /// Says so when the selected point is beside the eyes: measured there now, or seen there.
 fn abreast(on: &mut SheetPainter<'_>) {
     let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
@@ -70,7 +84,7 @@ fn abreast(on: &mut SheetPainter<'_>) {
     for (at, text, colour) in words {
         let Some(at) = at.filter(|at| at.x.abs() * sheet.chart.scale <= ABREAST) else { continue };
         let place = sheet.on_screen(at);
-        labels.write(painter, (place, 8.0), text, theme::scaled_font(ui.style(), FONT_SIZE), colour);
+        labels.write(painter, (place, 8.0), text, TextStyle::Small.resolve(ui.style()), colour);
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
 }
@@ -83,7 +97,7 @@ fn eyes(on: &mut SheetPainter<'_>) {
         let colour = theme::eye_colour(eye, ui.visuals());
         painter.circle_filled(place, EYE_RADIUS, colour);
         if sheet.projection == MapProjection::Plan {
-            let font = theme::scaled_font(ui.style(), FONT_SIZE);
+            let font = TextStyle::Small.resolve(ui.style());
             labels.places.keep_free(painter.text(
                 place + vec2(side * 9.0, 0.0),
                 anchor,
