@@ -117,16 +117,21 @@ fn unseen(bands: impl Iterator<Item = Band>) -> &'static str {
     }
 }
 
-/// `many wavelengths, all divided by D = 1.16 and 1.24: bluer than at rest`.
+/// `wavelengths 1.16 and 1.24 times shorter, so bluer than at rest`.
 fn shift(doppler_factors: &[f64]) -> String {
-    let texts = distinct_texts(doppler_factors, DOPPLER_DECIMALS);
-    let word = |factor: &f64| if *factor > 1.0 { "bluer" } else { "redder" };
-    let mut words: Vec<_> = doppler_factors.iter().filter(|factor| **factor != 1.0).map(word).collect();
-    words.dedup();
-    let than = if words.is_empty() {
-        "as at rest".to_owned()
+    let times = |factors: &[f64]| distinct_texts(factors, DOPPLER_DECIMALS).join(" and ");
+    let are_all = |is: fn(f64) -> bool| doppler_factors.iter().all(|factor| is(*factor));
+    if are_all(|factor| factor == 1.0) {
+        "wavelengths as at rest".to_owned()
+    } else if are_all(|factor| factor >= 1.0) {
+        format!("wavelengths {} times shorter, so bluer than at rest", times(doppler_factors))
+    } else if are_all(|factor| factor <= 1.0) {
+        let longer: Vec<_> = doppler_factors.iter().map(|factor| 1.0 / factor).collect();
+        format!("wavelengths {} times longer, so redder than at rest", times(&longer))
     } else {
-        format!("{} than at rest", words.join(" and "))
-    };
-    format!("its wavelengths divided by D = {}, {than}", texts.join(" and "))
+        format!(
+            "wavelengths divided by {}, so bluer for one eye and redder for the other",
+            times(doppler_factors)
+        )
+    }
 }

@@ -174,20 +174,21 @@ impl Moment {
             ShownPoint::Received(seen, eyes, clock) => {
                 let left = departure(&seen, eyes, unit, self.is_riding);
                 let shown = proper_time(clock, &seen, unit);
-                self.with_light(&format!("Light received now ({clock_now}) left {name} {left}{shown}"))
+                self.with_light(&format!(
+                    "The light reaching you now ({clock_now}) left {name} {left}{shown}"
+                ))
             }
             ShownPoint::OneCone(seen, clock) => {
                 let both = [seen, seen];
                 let left = departure(&both, EyePlaces::Together, unit, self.is_riding)
                     + &proper_time(clock, &both, unit);
-                let start =
-                    "As if both eyes received the same events: light received midway between them now";
+                let start = "As if both eyes received the same events: the light reaching you midway between them now";
                 self.with_light(&format!("{start} ({clock_now}) left {name} {left}"))
             }
             ShownPoint::Published(seen) => {
                 let [left, right] = seen.map(|seen| value_text(unit, seen.retarded_time));
                 let start = format!(
-                    "Light received now (T = {now}) left {name} at t = {left} for the left eye and, as published, at \
+                    "The light reaching you now (T = {now}) left {name} at t = {left} for the left eye and, as published, at \
                      t = {right} for the right eye"
                 );
                 let model = "The right view is the paper's model: the left eye's picture at T − ΔT.";
@@ -258,7 +259,7 @@ fn proper_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
         Clock::Ground => return String::new(),
     };
     let times = both_texts(unit, seen.map(|seen| seen.proper_time)).join(" and ");
-    format!(", by its {whose} clock at τ = {times}")
+    format!(", when its {whose} clock read τ = {times}")
 }
 
 /// Returns the remark on colours that `light` does not draw as they are received.

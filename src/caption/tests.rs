@@ -39,8 +39,8 @@ fn core(beta: f64, d: f64, time: f64) -> [[f64; 3]; 2] {
 fn the_sentence_tells_times_wavelengths_and_colours_of_both_eyes() {
     let [[left, left_nm, left_own], [right, right_nm, right_own]] = core(0.9, 0.1, 1.1);
     let expected = format!(
-        "Light received now (T = 1.10) left the front tyre at t = {left:.2} for the left eye, {right:.2} for the right, \
-         by its own clock at τ = {left_own:.2} and {right_own:.2}: {left_nm:.0} and {right_nm:.0} nm, orange and yellow."
+        "The light reaching you now (T = 1.10) left the front tyre at t = {left:.2} for the left eye, {right:.2} for the \
+         right, when its own clock read τ = {left_own:.2} and {right_own:.2}: {left_nm:.0} and {right_nm:.0} nm, orange and yellow."
     );
     assert_eq!(
         moment(&settings(0.9, 0.1), 1.1).sentence(),
@@ -125,7 +125,7 @@ fn at_rest_light_arrives_as_it_left() {
         settings.look.geometry = geometry;
         let sentence = moment(&settings, 1.1).sentence();
         assert!(
-            sentence.starts_with("Light received now (T = 1.10) left the front tyre at t = −2.5"),
+            sentence.starts_with("The light reaching you now (T = 1.10) left the front tyre at t = −2.5"),
             "{sentence}"
         );
         assert!(sentence.ends_with(": 700 nm, red."), "{sentence}");
@@ -245,7 +245,7 @@ fn a_point_of_a_wheel_has_the_time_of_its_axle_and_the_light_of_its_own_motion()
         Moment::new(settings, &rim, "the front tyre".to_owned(), Emission::Wavelength(700.0), 1.0)
     };
     let seen = moment(&settings(0.9, 0.1)).sentence();
-    assert!(seen.contains(", by its axle's clock at τ = "), "{seen}");
+    assert!(seen.contains(", when its axle's clock read τ = "), "{seen}");
     // A camera that rides along sees it turn about a hub at rest: D = sqrt(1 - v^2)/(1 + v.n).
     let mut riding = settings(0.9, 0.0);
     riding.look.geometry = Geometry::Rest;

@@ -18,11 +18,11 @@ pub fn notice(groups: &[Shares], is_hatched: bool) -> Option<String> {
     let all = |band: Band| !shown.is_empty() && shown.iter().all(|shares| shares[band as usize] >= ALL);
     let unseen = [Band::Ultraviolet, Band::Infrared];
     if let Some(band) = unseen.into_iter().find(|band| all(*band)) {
-        return Some(format!("received as {}: eyes see nothing", band.name()));
+        return Some(format!("received as {}, invisible to the eye", band.name()));
     }
     let names: Vec<_> = unseen.into_iter().filter(|band| any(*band, SUBSTANTIAL)).map(Band::name).collect();
     let drawn = if is_hatched { "hatched" } else { "black" };
-    (!names.is_empty()).then(|| format!("{drawn} parts are {}: eyes see nothing there", names.join(" and ")))
+    (!names.is_empty()).then(|| format!("{drawn}: {}, invisible to the eye", names.join(" and ")))
 }
 
 #[cfg(test)]
@@ -32,22 +32,16 @@ mod tests {
     #[test]
     fn unseen_light_is_explained_and_nothing_else() {
         let said = |groups: &[Shares]| notice(groups, true).unwrap_or_default();
-        assert_eq!(said(&[[1.0, 0.0, 0.0]]), "received as ultraviolet: eyes see nothing");
-        assert_eq!(said(&[[0.0, 0.02, 0.98]]), "received as infrared: eyes see nothing");
-        assert_eq!(said(&[[0.5, 0.5, 0.0]]), "hatched parts are ultraviolet: eyes see nothing there");
-        assert_eq!(
-            said(&[[0.4, 0.2, 0.4]]),
-            "hatched parts are ultraviolet and infrared: eyes see nothing there"
-        );
+        assert_eq!(said(&[[1.0, 0.0, 0.0]]), "received as ultraviolet, invisible to the eye");
+        assert_eq!(said(&[[0.0, 0.02, 0.98]]), "received as infrared, invisible to the eye");
+        assert_eq!(said(&[[0.5, 0.5, 0.0]]), "hatched: ultraviolet, invisible to the eye");
+        assert_eq!(said(&[[0.4, 0.2, 0.4]]), "hatched: ultraviolet and infrared, invisible to the eye");
         // A street in sight, and a rider who is not.
-        assert_eq!(
-            said(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
-            "hatched parts are ultraviolet: eyes see nothing there"
-        );
+        assert_eq!(said(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]), "hatched: ultraviolet, invisible to the eye");
         assert_eq!(said(&[[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]]), "");
         assert_eq!(said(&[[0.01, 0.99, 0.0]]), "");
         assert_eq!(said(&[]), "");
         let black = notice(&[[0.5, 0.5, 0.0]], false);
-        assert_eq!(black.as_deref(), Some("black parts are ultraviolet: eyes see nothing there"));
+        assert_eq!(black.as_deref(), Some("black: ultraviolet, invisible to the eye"));
     }
 }

@@ -246,6 +246,16 @@ impl Course {
         }
     }
 
+    /// Passes over the questions of the steps before `step` that nobody has answered or skipped, so that it
+    /// can be reached.
+    pub fn pass_over(&mut self, step: usize) {
+        for (earlier, record) in self.lesson.steps.iter().zip(&mut self.records).take(step) {
+            if earlier.prediction.is_some() && record.outcome.is_none() {
+                record.outcome = Some(Outcome::Skipped);
+            }
+        }
+    }
+
     /// `place`, or the nearest before it that can be reached.
     fn reached(&self, place: Place) -> Place {
         let mut reached = Place::START;

@@ -3,15 +3,17 @@
 use gamow_platform::messages;
 use thiserror::Error;
 
-/// A lesson that cannot be had.
+/// A lesson, or a sequence of lessons and states, that cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum LessonError {
     /// The file, or the folder, could not be read.
-    #[error("{source_name}: cannot read this lesson: {reason}")]
+    #[error("{source_name}: cannot read this {what}: {reason}")]
     Read {
         /// The file, as it was named.
         source_name: String,
-        /// Reason why the lesson cannot be read.
+        /// The contents that it should have.
+        what: &'static str,
+        /// Reason why it cannot be read.
         reason: String,
     },
     /// Neither the name of a lesson nor a path.

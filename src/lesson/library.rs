@@ -137,6 +137,7 @@ impl Library {
 /// be read.
 fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
     let listed = files::list_folder(folder).map_err(|reason| LessonError::Read {
+        what: "lesson",
         source_name: files::shown(folder),
         reason: reason.to_string(),
     })?;

@@ -16,6 +16,8 @@ mod plan;
 mod read;
 pub mod report;
 mod score;
+mod seen_place;
+mod sequence;
 pub mod sketch;
 pub mod truth;
 pub mod values;
@@ -33,5 +35,6 @@ pub use plan::{
     Reveal, StateBlock, Step, Text,
 };
 pub use score::Score;
+pub use sequence::{Sequence, SequenceEntry};
 pub use truth::Sight;
 pub use verdict::{Verdict, difference, verdict};

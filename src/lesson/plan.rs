@@ -216,6 +216,22 @@ pub struct Lab {
     pub state: Option<StateBlock>,
 }
 
+impl Settings {
+    /// Returns the layout of a step of a lesson with these settings, for somebody who otherwise has the
+    /// `usual` one: two pictures apart where they are compared, and one wide picture for one eye or for two
+    /// in one place, which would give the same picture twice. Whoever looks through glasses keeps them on.
+    fn layout_of_step(&self, usual: Layout) -> Layout {
+        let is_one = self.picture.layout == Layout::Left || self.motion.d == 0.0;
+        match self.picture.layout {
+            _ if !self.look.compare.is_off() && self.check_two_pictures().is_err() => Layout::SideBySide,
+            layout if !self.look.compare.is_off() || !is_one => layout,
+            Layout::Left | Layout::SideBySide if usual == Layout::SideBySide => Layout::Left,
+            Layout::Left => usual,
+            layout => layout,
+        }
+    }
+}
+
 impl Lesson {
     /// `preset` as a lesson of one step.
     #[must_use]
@@ -271,10 +287,7 @@ impl Lesson {
                 None => {}
             }
         }
-        // What is to be compared is seen in two pictures apart.
-        if !settings.look.compare.is_off() && settings.check_two_pictures().is_err() {
-            settings.picture.layout = Layout::SideBySide;
-        }
+        settings.picture.layout = settings.layout_of_step(base.picture.layout);
         Ok(settings)
     }
 

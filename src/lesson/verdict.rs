@@ -4,9 +4,11 @@ use relativity_render::Gaze;
 
 use super::answer::{Answer, Record};
 use super::plan::{AnswerKind, CurveAnswer, Number, Options, Step};
+use super::seen_place as place;
 use super::truth::{NEAR, Sight, angle_between, rms};
 use crate::caption::decimal;
 use crate::number_text;
+use crate::settings::Settings;
 use crate::units::Measures;
 
 /// The verdict on a prediction. The texts are Markdown, without a full stop at the end.
@@ -27,7 +29,7 @@ pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdic
     let kind = &step.prediction.as_ref()?.kind;
     record.outcome.as_ref()?;
     let answer = record.answer();
-    let said = answer.map_or_else(|| "nothing".to_owned(), |answer| said(kind, answer));
+    let said = answer.map_or_else(|| "nothing".to_owned(), |answer| said(kind, answer, sight.settings));
     let right = answer.and_then(|answer| match (kind, answer) {
         (AnswerKind::Point(point), Answer::Direction(direction)) => {
             let seen = sight.direction(&point.body)?;
@@ -42,11 +44,10 @@ pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdic
         }
         AnswerKind::Point(point) => match (answer, sight.direction(&point.body)) {
             (Some(Answer::Direction(direction)), Some(seen)) => {
-                let off = number_text::degrees(angle_between(*direction, seen));
-                format!("the ring: {}, {off} away", place(seen))
+                format!("{}, {}", place::at(sight.settings, seen, "ring"), place::from(*direction, seen))
             }
-            (_, Some(seen)) => format!("the ring: {}", place(seen)),
-            (_, None) => format!("nowhere: the {} is not seen", point.body),
+            (_, Some(seen)) => place::at(sight.settings, seen, "ring"),
+            (_, None) => format!("nowhere: the {} is out of sight", point.body),
         },
         AnswerKind::Curve(curve) => {
             let off = match answer {
@@ -59,7 +60,7 @@ pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdic
     Some(Verdict { right, said, is })
 }
 
-fn said(kind: &AnswerKind, answer: &Answer) -> String {
+fn said(kind: &AnswerKind, answer: &Answer, settings: &Settings) -> String {
     match (kind, answer) {
         (AnswerKind::Choice(options), Answer::Choice(choice)) => option(options, *choice),
         (AnswerKind::Choice(options), Answer::Votes(votes)) => {
@@ -67,16 +68,10 @@ fn said(kind: &AnswerKind, answer: &Answer) -> String {
             votes.iter().enumerate().map(of).collect::<Vec<_>>().join(", ")
         }
         (AnswerKind::Number(asked), Answer::Number(number)) => asked.text(*number),
-        (_, Answer::Direction(direction)) => format!("the cross: {}", place(*direction)),
+        (_, Answer::Direction(direction)) => place::at(settings, *direction, "cross"),
         (_, Answer::Curve(_)) => "the dashed curve".to_owned(),
         _ => "nothing".to_owned(),
     }
-}
-
-/// A direction in words.
-fn place(direction: Gaze) -> String {
-    let [azimuth, elevation] = [direction.azimuth, direction.elevation].map(number_text::degrees);
-    format!("azimuth φ = {azimuth}, elevation θ = {elevation}")
 }
 
 fn option(options: &Options, number: usize) -> String {

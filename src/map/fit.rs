@@ -29,6 +29,8 @@ const AROUND_ASLANT: [f64; 3] = [6.0, 6.0, 3.0];
 const AHEAD_ASLANT: f64 = 4.0;
 /// Greatest distance of what such a rider sees that is fitted.
 const FURTHEST: f64 = 120.0;
+/// The same along the street, where only the width of the map has to hold it.
+const FURTHEST_ALONG: f64 = 400.0;
 /// Least height of the plan and of the view from the side, of that of the other.
 const LEAST_SHARE: f64 = 0.25;
 /// Space between the plan and the view from the side, points.
@@ -58,6 +60,16 @@ impl WorldBox {
         let mut extent = Self::of_space(settings, scene);
         extent.0[0] = AROUND_RIDER.map(|along| x + along);
         extent
+    }
+
+    /// Returns this part, extended along x to the places `along` it that are not too far from `x`.
+    #[must_use]
+    pub fn reaching(self, x: f64, along: impl Iterator<Item = f64>) -> Self {
+        let Self([across, y, z]) = self;
+        let near = along.filter(|place| (place - x).abs() <= FURTHEST_ALONG);
+        let across =
+            near.fold(across, |[from, to], place| [from.min(place - MARGIN), to.max(place + MARGIN)]);
+        Self([across, y, z])
     }
 }
 

@@ -26,6 +26,7 @@ pub use error::{SceneError, SceneProblem};
 pub use model::ridden::text as scene_text;
 pub use model::{is_model, read_model};
 pub use presets::{PRESETS, looks_like_a_name};
+pub use similar::nearest;
 
 impl Scene {
     /// The preset of that name, one of [`PRESETS`].

@@ -8,7 +8,7 @@ use gamow_platform::{messages, sizes};
 pub(super) const NEAREST: usize = 3;
 
 /// Returns the `known` names that are most similar to `sought`, in a list.
-pub(super) fn nearest<'a>(known: impl IntoIterator<Item = &'a str>, sought: &str) -> String {
+pub fn nearest<'a>(known: impl IntoIterator<Item = &'a str>, sought: &str) -> String {
     let sought: String = sought.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
     let known: BTreeSet<&str> = known.into_iter().collect();
     let off = |known: &str| {

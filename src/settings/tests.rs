@@ -159,7 +159,7 @@ fn fit() -> impl Strategy<Value = FitSettings> {
 fn window() -> impl Strategy<Value = WindowSettings> {
     let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
     let shares = (share(), share(), share());
-    (any::<[bool; 13]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+    (any::<[bool; 14]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
         |(
             [
                 views,
@@ -172,6 +172,7 @@ fn window() -> impl Strategy<Value = WindowSettings> {
                 readout,
                 dials,
                 resting_clock,
+                distances,
                 ruler,
                 resting,
                 vignette,
@@ -196,6 +197,7 @@ fn window() -> impl Strategy<Value = WindowSettings> {
                 map_share,
                 dials,
                 resting_clock,
+                distances,
                 ruler,
                 resting,
                 vignette,

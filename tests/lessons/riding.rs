@@ -100,16 +100,16 @@ fn who_rides_measures_the_lamps_closer_and_sees_them_further() {
     assert!((at(settings(&lesson, 0, false).time.expect("given")) - 20.0).abs() < 1e-3, "beside a lamp");
     let ahead = 60.0 - at(12.0);
     let asked = lesson.steps[1].observation.as_ref().expect("a question").question.markdown.source();
-    assert!(asked.contains(&format!("it is {ahead:.0} units ahead")), "{asked}");
+    assert!(asked.contains(&format!("the lamp is {ahead:.0} units ahead")), "{asked}");
     // R' = gamma (R + beta x), of the left eye.
     let (across, aside) = ((5.55_f64 - 1.2).hypot(2.4), ahead);
     let far = gamma(BETA) * (aside.hypot(across) + BETA * aside);
-    says(&lesson, 1, "It is seen {} units away", far, 0);
-    says(&lesson, 1, "by D = {};", far / aside.hypot(across), 1);
+    says(&lesson, 1, "You see it {} units away", far, 0);
+    says(&lesson, 1, "here by D = {};", far / aside.hypot(across), 1);
     assert!(far > 3.0 * ahead);
     assert_eq!(
         (right(&lesson, 1), observed(&lesson, 1)),
-        ("no, they seem much further apart", "more than that")
+        ("no, they seem much further apart", "more than that away")
     );
 }
 
@@ -137,7 +137,7 @@ fn in_the_gate_one_still_sees_it_ahead() {
         ("it is still ahead of you", "in the picture, all of it")
     );
     says(&lesson, 0, "You see the mouth {} degrees", aberrated(90.0, BETA), 1);
-    says(&lesson, 1, "inside, {} units here", gamma(BETA) * BETA * 3.0, 2);
+    says(&lesson, 1, "here that is {} units of the street", gamma(BETA) * BETA * 3.0, 2);
     says(&lesson, 1, "the mouth is {} behind you", BETA * 3.0, 1);
     // Beside it is seen where the picture's middle is, in the reveal: at x = gamma beta 3 or a moment
     // earlier.

@@ -63,7 +63,7 @@ fn the_arrow_is_as_long_as_the_rapidity() {
     says(&l, 1, "at 0.999 c it is {} long", 0.999_f64.atanh(), 3);
     let added = [0.99_f64, 0.999, 0.9999, 0.99999].map(f64::atanh);
     assert!(added.windows(2).all(|pair| (pair[1] - pair[0] - 1.15).abs() < 0.01), "{added:?}");
-    assert!(words(&l, 1).contains("each further 9 adds about 1.15"));
+    assert!(words(&l, 1).contains("every extra 9 adds about 1.15"));
     assert_eq!(observed(&l, 1), "at 0.9 c");
     assert!((coordinates(seen(0.9, [0.0, 3.0, 0.0], 0.0).position)[0] + 0.9_f64.atanh()).abs() < 1e-12);
 }

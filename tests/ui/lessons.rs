@@ -8,12 +8,13 @@ use gamow::app::commands::{Command, FileCommand, PlaybackCommand, SettingsComman
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
+use gamow::flags::choices::Layout;
 use gamow::lesson::{Answer, AnswerKind, Confidence, Course, Lesson, Library, Outcome, Phase, Place};
 use gamow::settings::{Presence, Settings, Theme, WindowSettings};
 use relativity_render::Gaze;
 
 use super::Test;
-use super::support::{labels, open, type_into, wait_for_file, window_without_pictures};
+use super::support::{in_layout, labels, open, type_into, wait_for_file, window_without_pictures};
 
 pub const TESTS: &[Test] = trials![
     a_lesson_is_gone_through_by_its_labels,
@@ -28,6 +29,7 @@ pub const TESTS: &[Test] = trials![
     a_lesson_that_is_closed_keeps_its_answers,
     a_lesson_that_is_written_anew_keeps_its_place,
     an_audience_is_led_through_a_lesson_with_two_keys,
+    a_lesson_about_one_eye_has_one_wide_picture_until_another_layout_is_chosen,
     the_end_of_a_lesson_leads_to_the_next_and_to_its_pages,
     every_step_of_every_lesson_fits_and_shows_its_state,
     every_step_of_every_lesson_fits_before_an_audience,
@@ -111,7 +113,7 @@ fn lesson() -> Lesson {
 
 /// A window of this `size` in which `lesson` begins. Nothing is drawn in its views, which takes most of the
 /// time.
-fn window(lesson: &Lesson, size: [f32; 2]) -> Harness<'static, App> {
+pub fn window(lesson: &Lesson, size: [f32; 2]) -> Harness<'static, App> {
     window_with(WindowSettings::default(), lesson, size)
 }
 
@@ -123,7 +125,7 @@ fn window_with(parts: WindowSettings, lesson: &Lesson, size: [f32; 2]) -> Harnes
     window_without_pictures(state, size)
 }
 
-fn course<'a>(window: &'a Harness<'_, App>) -> &'a Course {
+pub fn course<'a>(window: &'a Harness<'_, App>) -> &'a Course {
     window.state().state().course().expect("a lesson is gone through")
 }
 
@@ -179,7 +181,7 @@ fn a_lesson_is_gone_through_by_its_labels() {
     // What was seen is asked before the truth is told.
     assert!(window.query_by_label("You said").is_none() && window.query_by_label("It is").is_none());
     choose(&mut window, "They looked long.");
-    for name in ["That is what was shown.", "You said", "It is"] {
+    for name in ["Yes, that is what happened.", "You said", "It is"] {
         window.get_by_label(name);
     }
     assert_eq!(course(&window).records()[0].observed, Some(0));
@@ -208,7 +210,7 @@ fn a_prediction_in_a_lesson_can_be_skipped_and_the_way_back_is_open() {
     let mut window = window(&lesson(), [1024.0, 600.0]);
     press(&mut window, "Skip");
     assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));
-    press(&mut window, "Finish");
+    press(&mut window, "Show the end");
     assert!(!is_running(&window));
     assert_eq!(course(&window).place(), place(0, Phase::Shown));
     press(&mut window, "Back");
@@ -224,7 +226,7 @@ fn a_prediction_in_a_lesson_can_be_skipped_and_the_way_back_is_open() {
     choose(&mut window, "short");
     press(&mut window, "Predict");
     assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Choice(0), None)));
-    press(&mut window, "Finish");
+    press(&mut window, "Show the end");
     press(&mut window, "Back");
     // What was said is shown, and can be changed.
     window.get_by_label("This is what you said. You can change it.");
@@ -239,7 +241,7 @@ fn an_observation_in_a_lesson_against_what_was_shown_offers_to_look_again() {
     choose(&mut window, "long");
     press(&mut window, "Predict");
     window.get_by_label("Look at them.");
-    press(&mut window, "Finish");
+    press(&mut window, "Show the end");
     choose(&mut window, "They looked short.");
     window.get_by_label("You said, rightly,");
     press(&mut window, "Look again");
@@ -258,7 +260,7 @@ fn hands_are_counted_in_a_lesson_of_a_class() {
     }
     press(&mut window, "One more for long");
     press(&mut window, "Predict");
-    press(&mut window, "Finish");
+    press(&mut window, "Show the end");
     assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Votes(vec![1, 2]), None)));
     choose(&mut window, "They looked long.");
     for hands in ["Hands for short: 1", "Hands for long: 2"] {
@@ -353,7 +355,7 @@ fn what_was_explored_in_a_lesson_is_set_up_again_and_undone() {
         assert!(window.query_by_label("Set up again").is_none());
     }
     press(&mut window, "Skip");
-    press(&mut window, "Finish");
+    press(&mut window, "Show the end");
     for _ in 0..3 {
         press(&mut window, "Next");
     }
@@ -427,7 +429,7 @@ fn a_lesson_that_is_written_anew_keeps_its_place() {
     open(&mut window, &path);
     choose(&mut window, "long");
     press(&mut window, "Predict");
-    press(&mut window, "Finish");
+    press(&mut window, "Show the end");
     choose(&mut window, "They looked long.");
     press(&mut window, "Next");
     let records = course(&window).records().to_vec();
@@ -494,13 +496,45 @@ fn fitting(kind: &AnswerKind) -> Answer {
 
 /// Before an audience pictures and words share the room within a few frames.
 fn settle_words(window: &mut Harness<'_, App>) {
-    if window.state().state().session.stage.is_presented() {
+    if window.state().state().session.stage.has_audience() {
         window.run_steps(4);
     }
 }
 
+fn a_lesson_about_one_eye_has_one_wide_picture_until_another_layout_is_chosen() {
+    let slide = Library::own().open("slide").expect("a lesson");
+    let layout = |window: &Harness<'_, App>| window.state().state().document.settings.picture.layout;
+    let views = |window: &Harness<'_, App>| {
+        named(window, 0.0, 1280.0).into_iter().filter(|(name, _)| name.ends_with(" view")).collect::<Vec<_>>()
+    };
+    let mut window = window(&slide, [1280.0, 800.0]);
+    let [(_, rect)] = &views(&window)[..] else { panic!("{:?}", views(&window)) };
+    assert!(rect.width() > 900.0, "{rect:?}");
+    // Both eyes again, by a choice that the next step of the lesson does not keep: it shows the same twice.
+    window.state_mut().run(in_layout(Layout::SideBySide));
+    window.run_steps(2);
+    assert_eq!(views(&window).len(), 2);
+    ask(&mut window, LessonCommand::Skip);
+    ask(&mut window, LessonCommand::Forward);
+    assert_eq!((layout(&window), views(&window).len()), (Layout::Left, 1));
+    // Glasses are kept on.
+    window.state_mut().run(in_layout(Layout::Anaglyph));
+    window.run_steps(2);
+    for _ in 0..12 {
+        ask(&mut window, LessonCommand::Forward);
+        assert_eq!(layout(&window), Layout::Anaglyph);
+    }
+    ask(&mut window, LessonCommand::Close);
+    assert_eq!(layout(&window), Layout::Anaglyph);
+    // Without a choice the layout before comes back.
+    let mut window = self::window(&slide, [1280.0, 800.0]);
+    assert_eq!(layout(&window), Layout::Left);
+    ask(&mut window, LessonCommand::Close);
+    assert_eq!(layout(&window), Layout::SideBySide);
+}
+
 /// Goes through all of `lesson` in `window`, and has `look` look at each of its places.
-fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Harness<'_, App>, &str)) {
+pub fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Harness<'_, App>, &str)) {
     for _ in 0..6 * lesson.steps.len() + 3 {
         let at = course(window).place();
         let name = format!("{} {}: {at:?}", lesson.name, lesson.title);
@@ -617,7 +651,7 @@ fn every_step_of_every_lesson_fits_and_shows_its_state() {
                     !is_page || rect.max.y <= foot.min.y,
                     "{name}: {text:?} at {rect:?} needs to be scrolled to"
                 );
-                let is_foot = ["Back", "Skip", "Predict", "Next", "Finish", "Close", "Count hands"];
+                let is_foot = ["Back", "Skip", "Predict", "Next", "Show the end", "Close", "Count hands"];
                 let is_foot =
                     is_foot.iter().chain(&["Set up again", "All lessons"]).any(|foot| *foot == text)
                         || text.starts_with("Next: ");

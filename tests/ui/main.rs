@@ -39,6 +39,7 @@ mod quality;
 mod random_user;
 mod riding;
 mod saving;
+mod sequence;
 mod slide;
 mod spacetime;
 mod start;
@@ -91,6 +92,7 @@ fn main() -> ExitCode {
         random_user::TESTS,
         riding::TESTS,
         saving::TESTS,
+        sequence::TESTS,
         slide::TESTS,
         spacetime::TESTS,
         start::TESTS,

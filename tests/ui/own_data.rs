@@ -238,9 +238,9 @@ fn what_own_data_do_not_tell_is_told() {
     open_data(&mut window, &path);
     settle(&mut window);
     for words in [
-        "The file has no sigmas: all readings of a curve are taken to scatter alike, as much as the residuals do.",
+        "The file has no sigmas: each reading is assumed as uncertain as the residuals suggest.",
         "The file has no column d: the eyes are d = 0.1 apart, as set.",
-        "x₀ = 0 is taken as known: at t = 0 the point is abreast.",
+        "x₀ is fixed at 0: the point is level with you at t = 0.",
     ] {
         assert!(labels(&window).iter().any(|label| label == words), "{words}");
     }

@@ -40,7 +40,7 @@ fn an_audience_has_views_a_plot_and_words_and_all_comes_back() {
     for name in ["Left eye view", "Right eye view", "β = 0.900", "Plot of Δφ of front tyre against T"] {
         window.get_by_label(name);
     }
-    label_starting_with(&window, "Light received now");
+    label_starting_with(&window, "The light reaching you now");
     assert!(["Controls", "Speed β", "Play", "Help"].iter().all(|name| window.query_by_label(name).is_none()));
     assert!(window.state().state().session.stage.full_screen);
     window.key_press(Key::Space);

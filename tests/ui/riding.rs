@@ -207,7 +207,7 @@ fn a_rider_reads_what_the_core_says() {
         assert!(instruments.contains(part), "{part} in {instruments}");
     }
     // Its wheel counts the contracted street, its lamps the street's own.
-    for part in ["8.10 by wheel", "18.58 by lamps"] {
+    for part in ["ridden: 8.10 by my wheel", "18.58 by the lamps"] {
         assert!(instruments.contains(part), "{part} in {instruments}");
     }
 }

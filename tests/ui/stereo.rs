@@ -115,7 +115,7 @@ fn the_stereo_of_eyes_above_and_behind_each_other_is_told() {
     let fused = Model::Exact.stereo(&speed, point, above.apertures(), time).expect("they meet");
     assert!((shown(&window, "Stereo gain:") - fused.gain).abs() < 6e-4);
     assert!((shown(&window, "Stereo x:") - fused.position[0]).abs() < 6e-3);
-    let miss = shown(&window, "Lines of sight miss by");
+    let miss = shown(&window, "Lines of sight pass");
     assert!((miss - fused.miss).abs() < 6e-4 && fused.miss > 0.001, "{miss} {}", fused.miss);
     window.get_by_label("Behind").click();
     window.run();

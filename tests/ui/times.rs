@@ -8,6 +8,7 @@ use gamow::app::commands::{PlaybackCommand, SettingsCommand, ShowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::TimeRange;
+use gamow::flags::choices::Layout;
 use gamow::lesson::Library;
 use gamow::settings::{PlaybackSettings, WindowSettings};
 use gamow::units::Units;
@@ -15,8 +16,8 @@ use relativity_render::Geometry;
 
 use super::Test;
 use super::support::{
-    cyclist, label_starting_with, labels, pane, seen, shown, slider, type_into, wide_window, window,
-    window_of_size,
+    cyclist, in_layout, label_starting_with, labels, pane, seen, shown, slider, type_into, wide_window,
+    window, window_of_size,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -261,6 +262,8 @@ fn a_lesson_counts_the_turns_of_its_clocks() {
         let count = label.trim_end_matches(" turns").rsplit(' ').next().expect("a count").replace('−', "-");
         count.parse().expect("a number")
     };
+    // The lesson shows one eye's picture, until somebody asks for both.
+    window.state_mut().run(in_layout(Layout::SideBySide));
     window.run_steps(2);
     for eye in ["Left eye", "Right eye"] {
         for clock in ["Clock of front hub", "Clock beside you"] {

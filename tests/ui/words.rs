@@ -29,7 +29,7 @@ pub const TESTS: &[Test] = trials![
 /// Wavelength at rest of the cyclist, nm.
 const REST_NM: f64 = 700.0;
 /// How all sentences begin that tell what arrives.
-const ARRIVING: &str = "Light received now";
+const ARRIVING: &str = "The light reaching you now";
 
 fn the_sentence_has_the_numbers_of_the_core() {
     let mut window = window(cyclist(0.9));

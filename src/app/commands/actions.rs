@@ -180,6 +180,7 @@ pub static ACTIONS: &[Action] = &[
     action("fold the lesson, or unfold it", &[], Command::Lesson(LessonCommand::ToggleFolded)),
     action("start the lesson over, without its answers", &[], Command::Lesson(LessonCommand::BeginAnew)),
     action("close the lesson", &[], Command::Lesson(LessonCommand::Close)),
+    action("end the sequence of your own", &[], Command::Show(ShowCommand::EndSequence)),
     action(
         "open or close the start page: lessons and presets",
         &[key(Key::S)],

@@ -81,7 +81,8 @@ impl State {
             FileCommand::Reload(path) => (path, Use::RenewLesson),
             _ => return None,
         };
-        Some(Errand { path: path.clone(), purpose, settings: Settings::clone(&self.document.settings) })
+        let settings = Settings::clone(&self.document.settings);
+        Some(Errand { path: path.clone(), purpose, settings, library: self.library() })
     }
 
     /// Whether `command` is about the scene's file, which has changed.
@@ -130,6 +131,10 @@ impl State {
             }
             Ok(Contents::Lesson(lesson)) if purpose == Use::RenewLesson => self.renew_lesson(&lesson, &path),
             Ok(Contents::Lesson(lesson)) => self.open_lesson(&lesson, &path),
+            Ok(Contents::Sequence(sequence)) => {
+                self.session.recent.add(&path);
+                self.begin_sequence(sequence);
+            }
             Ok(Contents::Data(file)) => {
                 self.session.data = Some(Arc::new(file));
                 self.document.settings.plots.plot = PlotTab::Fit;

@@ -10,6 +10,7 @@ use crate::app::state::notice::Notice;
 use crate::app::state::pointer::Pick;
 use crate::app::tools::clock;
 use crate::lesson::{Animated, Answer, AnswerKind, Answers, Course, Lesson, LessonError, Phase, Prediction};
+use crate::settings::Settings;
 
 /// Entries in a lesson are noted at once: whoever opens it again goes on where it was. Answers are no steps
 /// of the way back: undoing leads back to settings and to places, never to a lesson without an answer that
@@ -26,10 +27,13 @@ impl State {
         }
         let before =
             self.session.lesson.as_ref().map_or(self.document.settings.window, |running| running.before);
+        self.note_layout();
+        let layout = self.lesson_base().picture.layout;
         self.session.lesson = Some(Running {
             course,
             is_folded: false,
             before,
+            layout,
             plots_in: None,
             run: None,
             told: None,
@@ -167,6 +171,7 @@ impl State {
 
     /// Works out what the lesson has at its present place, if that or the window has changed.
     pub(in crate::app) fn follow_lesson(&mut self) {
+        self.note_layout();
         let Some(running) = &self.session.lesson else { return };
         let (place, base) = (running.course.place(), self.lesson_base());
         if running.told.as_ref().is_some_and(|told| told.place == place && told.base == base) {
@@ -192,8 +197,20 @@ impl State {
     }
 
     fn close_lesson(&mut self) {
-        self.document.settings.window = self.lesson_base().window;
+        self.note_layout();
+        let Settings { window, picture, .. } = self.lesson_base();
+        (self.document.settings.window, self.document.settings.picture.layout) = (window, picture.layout);
         self.session.lesson = None;
+    }
+
+    /// Notes a layout that is not the one that the lesson set: somebody has chosen it, and keeps it.
+    fn note_layout(&mut self) {
+        let layout = self.document.settings.picture.layout;
+        if let Some(running) = &mut self.session.lesson
+            && running.told.as_ref().is_some_and(|told| told.settings.picture.layout != layout)
+        {
+            running.layout = layout;
+        }
     }
 
     /// Lets what runs run by a `step` of the wall clock, seconds.

@@ -14,6 +14,7 @@ mod points;
 pub mod riding;
 mod ruler;
 pub(in crate::app) mod saving;
+mod sequence;
 mod settings;
 mod show;
 mod stopwatch;

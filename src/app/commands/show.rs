@@ -15,8 +15,11 @@ pub enum ShowCommand {
     Scene(&'static str),
     /// This preset, with defaults for all else but the parts of the window.
     Preset(&'static Preset),
-    /// Goes this many steps on from what is shown; a lesson goes on, or back.
+    /// Goes this many steps on from what is shown, in the presenter's own sequence if there is one; a lesson
+    /// goes on, or back.
     Next(i32),
+    /// Ends the presenter's own sequence: the keys go through all presets again.
+    EndSequence,
 }
 
 impl State {
@@ -26,10 +29,14 @@ impl State {
             ShowCommand::Scene(name) => self.show_named_scene(name),
             ShowCommand::Preset(preset) => self.show_preset(preset),
             ShowCommand::Next(steps) => self.show_next(steps),
+            ShowCommand::EndSequence => self.session.sequence = None,
         }
     }
 
     fn show_next(&mut self, steps: i32) {
+        if self.show_next_in_sequence(steps) {
+            return;
+        }
         if self.session.lesson.is_some() {
             let command = if steps > 0 { LessonCommand::Forward } else { LessonCommand::Back };
             self.perform_lesson(command);
@@ -42,7 +49,7 @@ impl State {
         self.show(Settings::clone(&self.document.settings).with_scene(name.to_owned()));
     }
 
-    fn show_preset(&mut self, preset: &Preset) {
+    pub(super) fn show_preset(&mut self, preset: &Preset) {
         self.show(preset.settings.clone().in_place_of(&self.document.settings));
     }
 

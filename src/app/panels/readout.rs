@@ -208,8 +208,9 @@ fn stereo(ui: &mut Ui, state: &State) {
         let is_turning = state.document.points.selected().track.spin.is_some();
         if is_turning || !state.document.settings.baseline().is_along_motion() {
             let text = unit.text(found.map_or(f64::NAN, |found| found.miss), 3);
-            ui.label(RichText::new("lines of sight miss by").color(colour)).on_hover_text(MISS_TIP);
-            named_text(ui, text.as_str(), format!("Lines of sight miss by: {text}")).on_hover_text(MISS_TIP);
+            ui.label(RichText::new("lines of sight pass").color(colour)).on_hover_text(MISS_TIP);
+            named_text(ui, format!("{text} apart"), format!("Lines of sight pass: {text} apart"))
+                .on_hover_text(MISS_TIP);
         }
     });
 }

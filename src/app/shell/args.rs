@@ -8,7 +8,7 @@ use clap::{Arg, Args};
 use crate::app::state::State;
 use crate::app::state::stage::Stage;
 use crate::flags::choices::sides;
-use crate::lesson::{LessonError, Library};
+use crate::lesson::{LessonError, Library, Sequence};
 use crate::scene::Scene;
 use crate::settings::{Settings, StartArgs};
 
@@ -34,6 +34,10 @@ pub struct WindowArgs {
     /// Begin this lesson or preset; the name of a file has its ending, `.md`. `--list` names them all.
     #[arg(long, value_name = "NAME|FILE", conflicts_with = "state")]
     lesson: Option<PathBuf>,
+    /// Go through a sequence of your own with Page Down and Page Up: a text file that names a preset, a state,
+    /// a link or a step of a lesson in each line.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["state", "scene", "lesson"])]
+    sequence: Option<PathBuf>,
     /// A folder with your own lessons, beside the program's. A lesson of the same name replaces the
     /// program's.
     #[arg(long, value_name = "DIR")]
@@ -85,16 +89,20 @@ impl WindowArgs {
             state.begin_lesson(&lesson)?;
             state.scratch.playing = self.play;
         }
+        if let Some(path) = &self.sequence {
+            state.begin_sequence(Sequence::load(path, &state.library())?);
+            state.session.recent.add(path);
+        }
         for file in state.shown_files().iter().rev() {
             state.session.recent.add(file);
         }
         Ok(state)
     }
 
-    /// Whether they say what is shown: a scene, a state or a lesson.
+    /// Whether they say what is shown: a scene, a state, a lesson or a sequence.
     #[must_use]
     pub fn names_what_is_shown(&self) -> bool {
-        self.lesson.is_some() || self.start.name_what_is_shown()
+        self.lesson.is_some() || self.sequence.is_some() || self.start.name_what_is_shown()
     }
 
     /// Whether a newcomer is to find the start page: not where something is named to be shown, or an audience

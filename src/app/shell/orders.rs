@@ -4,6 +4,7 @@ use eframe::egui::{Context, Ui};
 use gamow_platform::files;
 use relativity_render::Picture;
 
+use crate::app::commands::FileCommand;
 use crate::app::commands::saving::MOST_FRAMES;
 use crate::app::commands::saving::work::{SaveJob, SaveOutcome, SceneSnapshot, name_of};
 use crate::app::shell::App;
@@ -29,6 +30,7 @@ impl App {
             match order {
                 Order::Save(saving) => self.save_as(ui, saving),
                 Order::Copy(copied) => self.copy(ui, copied),
+                Order::Open(path) => self.run_all(ui.ctx(), vec![FileCommand::Open(path).into()]),
                 Order::Stop => {
                     if self.saver.stop() {
                         self.tell(ui.ctx(), Notice::done("Stopped: no file was written."));

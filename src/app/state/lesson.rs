@@ -1,5 +1,6 @@
 //! The lesson that is under way in the window, and its commands.
 
+use crate::flags::choices::Layout;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::lesson::{Animated, Animation, Answer, Confidence, Course, Place, Score};
 use crate::settings::{Settings, WindowSettings};
@@ -48,6 +49,8 @@ pub struct Running {
     pub is_folded: bool,
     /// The parts of the window before the lesson began.
     pub(in crate::app) before: WindowSettings,
+    /// The layout before the lesson began, or the one that was chosen since.
+    pub(in crate::app) layout: Layout,
     /// The number of the step whose predicted curve gave its place to the usual plots.
     pub(in crate::app) plots_in: Option<usize>,
     /// Animation that is playing.

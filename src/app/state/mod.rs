@@ -16,6 +16,7 @@ pub mod pointer;
 pub mod points;
 pub(in crate::app) mod queries;
 pub mod riding;
+pub mod sequence;
 pub(in crate::app) mod shared;
 pub mod stage;
 
@@ -43,6 +44,7 @@ use crate::app::state::pointer::Pick;
 use crate::app::state::points::Point;
 use crate::app::state::riding::comfort::RideComfort;
 use crate::app::state::riding::saddle::Saddle;
+use crate::app::state::sequence::RunningSequence;
 use crate::app::state::shared::Shared;
 use crate::app::state::stage::Stage;
 use crate::caption::times::ObserverClock;
@@ -119,6 +121,8 @@ pub struct Session {
     pub answers: Answers,
     /// The lessons that there are, where they are not the program's own alone.
     pub library: Option<Arc<Library>>,
+    /// The sequence that is gone through with a presenter's two keys.
+    pub sequence: Option<RunningSequence>,
 }
 
 impl State {

@@ -14,6 +14,8 @@ pub enum Order {
     Copy(Copied),
     /// Gives up what is being made.
     Stop,
+    /// Opens a file, or a link.
+    Open(PathBuf),
 }
 
 /// A file to be written.

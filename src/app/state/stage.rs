@@ -42,6 +42,12 @@ impl Stage {
         self.before.is_some()
     }
 
+    /// Whether somebody besides the user looks on: here, or in the projector's window.
+    #[must_use]
+    pub const fn has_audience(&self) -> bool {
+        self.is_presented() || self.projector
+    }
+
     /// Begins to present, on the whole screen, or ends it; then all is as it was before.
     pub const fn toggle_presenting(&mut self) {
         match self.before.take() {

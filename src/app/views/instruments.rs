@@ -38,7 +38,7 @@ impl State {
         ];
         let odometers = ride.odometers(self.document.time).map(|Odometers { by_wheel, by_lamps, .. }| {
             let [by_wheel, by_lamps] = [by_wheel, by_lamps].map(|way| length.text(way, 2));
-            format!("{by_wheel} by wheel, {by_lamps} by lamps")
+            format!("ridden: {by_wheel} by my wheel, {by_lamps} by the lamps")
         });
         Some(lines.into_iter().chain(odometers).chain(keys.map(|line| (*line).to_owned())).collect())
     }

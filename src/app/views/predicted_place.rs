@@ -83,7 +83,7 @@ pub(in crate::app) fn paint(ui: &Ui, painter: &Painter, state: &State, pane: Eye
                 painter,
                 [cross, ring],
                 pane,
-                &number_text::degrees(truth::angle_between(clicked, seen)),
+                &format!("{} apart", number_text::degrees(truth::angle_between(clicked, seen))),
             );
         }
     }

@@ -71,6 +71,7 @@ impl Lesson {
     pub fn load(path: &Path) -> Result<Self, LessonError> {
         let source_name = files::shown(path);
         let text = files::read_to_string(path).map_err(|reason| LessonError::Read {
+            what: "lesson",
             source_name: source_name.clone(),
             reason: match reason.kind() {
                 ErrorKind::InvalidData => "it is not text in UTF-8, as a lesson must be".to_owned(),

@@ -82,6 +82,9 @@ pub struct WindowSettings {
     /// number of turns of its hand, since the step of a lesson began or since it showed 0.
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub resting_clock: OnOff,
+    /// At each followed point in the views, how far away the eye sees it: where it was when its light left.
+    #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
+    pub distances: OnOff,
     /// Ruler of rapidity along the lower edge of conformal views, and above it the colours that a body passes
     /// through.
     #[arg(long, value_parser = switch, value_name = "on|off")]
@@ -128,6 +131,7 @@ impl Default for WindowSettings {
             map_share: Share(None),
             dials: true,
             resting_clock: false,
+            distances: false,
             ruler: true,
             resting: false,
             vignette: false,

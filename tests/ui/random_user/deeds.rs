@@ -413,7 +413,8 @@ impl User<'_> {
             return "asks for the start page".to_owned();
         }
         let leads_on = |found: &&Found| {
-            ["Predict", "Skip", "Next", "Finish", "Again"].contains(&found.name.as_str()) && found.is_enabled
+            ["Predict", "Skip", "Next", "Show the end", "Again"].contains(&found.name.as_str())
+                && found.is_enabled
         };
         match self.coverage.choose(found.iter().filter(leads_on), &mut self.dice).cloned() {
             Some(control) => {

@@ -21,7 +21,7 @@ const OPEN: [MenuEntry; 2] = [
     (
         "Open…",
         Command::File(FileCommand::Choose(Purpose::Open)),
-        "Opens a scene, a model, a state, a picture by this program, or data as CSV.",
+        "Opens a scene, a model, a state, a picture by this program, a lesson, a sequence of your own, or data as CSV.",
     ),
     (
         "Own data…",

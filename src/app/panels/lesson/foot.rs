@@ -1,6 +1,6 @@
 //! The buttons below the page: one leads on, the others are quiet.
 
-use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, Button, Layout, Response, RichText, TextWrapMode, Ui, Vec2, vec2};
 
 use super::asked::ask;
 use crate::app::commands::actions::with_keys;
@@ -9,7 +9,7 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::lesson::{LessonCommand, Running};
 use crate::app::state::overlay::Overlay;
-use crate::lesson::{Answer, AnswerKind, Course};
+use crate::lesson::{Answer, AnswerKind, Course, Lesson};
 
 /// Least width and height of the button that leads on.
 const MAIN_SIZE: [f32; 2] = [92.0, 30.0];
@@ -19,18 +19,20 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Comman
     let course = &running.course;
     ui.separator();
     ui.with_layout(Layout::top_down(Align::Min), |ui| {
+        let next = state.lesson_after().filter(|_| is_over(running));
+        if let Some(next) = &next {
+            begin(ui, next, commands);
+        }
         ui.horizontal(|ui| {
-            let [can_go_back, _] = course.can_go();
-            let back = Button::new("Back").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
-            if ui
-                .add_enabled(can_go_back, back)
-                .on_hover_text(with_keys("", &[Command::Show(ShowCommand::Next(-1))]))
-                .clicked()
-            {
-                ask(commands, LessonCommand::Back);
-            }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| lead_on(ui, state, running, commands));
+            back(ui, course, commands);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| match next {
+                Some(_) => close(ui, false, commands),
+                None => lead_on(ui, running, commands),
+            });
         });
+        if next.is_some() {
+            return;
+        }
         ui.horizontal(|ui| {
             if course.lesson().steps.iter().any(|step| {
                 let kind = step.prediction.as_ref().map(|prediction| &prediction.kind);
@@ -48,16 +50,34 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Comman
     });
 }
 
-fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Commands) {
+fn back(ui: &mut Ui, course: &Course, commands: &mut Commands) {
+    let [can_go_back, _] = course.can_go();
+    let back = Button::new("Back").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
+    let back = ui.add_enabled(can_go_back, back);
+    if back.on_hover_text(with_keys("", &[Command::Show(ShowCommand::Next(-1))])).clicked() {
+        ask(commands, LessonCommand::Back);
+    }
+}
+
+/// Whether the lesson is at its end, with nothing left to ask or to show.
+fn is_over(running: &Running) -> bool {
+    let [_, can_go_on] = running.course.can_go();
+    !running.is_running() && running.course.asked().is_none() && !can_go_on
+}
+
+fn lead_on(ui: &mut Ui, running: &Running, commands: &mut Commands) {
     let course = &running.course;
     let [_, can_go_on] = course.can_go();
     if running.is_running() {
-        if main(ui, "Finish", true).on_hover_text("Goes to the end of what is playing").clicked() {
+        if main(ui, "Show the end", true, MAIN_SIZE.into())
+            .on_hover_text("Goes to the end of what is playing")
+            .clicked()
+        {
             ask(commands, LessonCommand::Forward);
         }
     } else if course.asked().is_some() {
         let is_entered = course.draft.as_ref().is_some_and(Answer::is_entered);
-        if main(ui, "Predict", is_entered).clicked() {
+        if main(ui, "Predict", is_entered, MAIN_SIZE.into()).clicked() {
             ask(commands, LessonCommand::Predict);
         }
         if course.is_answered() {
@@ -68,14 +88,14 @@ fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Command
             ask(commands, LessonCommand::Skip);
         }
     } else if can_go_on {
-        if main(ui, "Next", true)
+        if main(ui, "Next", true, MAIN_SIZE.into())
             .on_hover_text(with_keys("", &[Command::Show(ShowCommand::Next(1))]))
             .clicked()
         {
             ask(commands, LessonCommand::Forward);
         }
     } else {
-        leave(ui, state, commands);
+        close(ui, true, commands);
     }
     let is_a_state_alone = course.step().is_some() && !can_go_on;
     if is_a_state_alone && ui.button("All lessons").clicked() {
@@ -83,18 +103,23 @@ fn lead_on(ui: &mut Ui, state: &State, running: &Running, commands: &mut Command
     }
 }
 
-/// The ways out of a lesson that is over: to the next one, or to none.
-fn leave(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    let next = state.lesson_after();
-    if let Some(next) = &next {
-        let begin = main(ui, &next_name(ui, &next.title), true);
-        if begin.on_hover_text(format!("Begins the next lesson: {}", next.title)).clicked() {
-            ask(commands, LessonCommand::Open(next.name.clone()));
-        }
+/// The button that begins the lesson after this one, with as much of its title as the panel has room for.
+fn begin(ui: &mut Ui, next: &Lesson, commands: &mut Commands) {
+    let name = format!("Next: {}", next.title);
+    let width = ui.available_width();
+    let begin = ui.scope(|ui| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+        main(ui, &name, true, vec2(width, MAIN_SIZE[1]))
+    });
+    if begin.inner.on_hover_text(format!("Begins the next lesson: {}", next.title)).clicked() {
+        ask(commands, LessonCommand::Open(next.name.clone()));
     }
-    let is_main = next.is_none();
+}
+
+/// The button that closes the lesson; it leads on where no other does.
+fn close(ui: &mut Ui, is_main: bool, commands: &mut Commands) {
     let is_closed = if is_main {
-        main(ui, "Close", true).clicked()
+        main(ui, "Close", true, MAIN_SIZE.into()).clicked()
     } else {
         ui.add(Button::new("Close").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false)).clicked()
     };
@@ -103,27 +128,15 @@ fn leave(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
 }
 
-/// *Next* with as much of the `title` as there is room for beside the quiet buttons.
-fn next_name(ui: &Ui, title: &str) -> String {
-    let size = eframe::egui::TextStyle::Body.resolve(ui.style()).size;
-    let room = ((ui.available_width() - 9.0 * size) / (0.52 * size)).max(0.0) as usize;
-    let name = format!("Next: {title}");
-    if name.chars().count() <= room {
-        return name;
-    }
-    let begin: String = name.chars().take(room.max(6) - 1).collect();
-    format!("{}…", begin.trim_end())
-}
-
-/// The button that leads on.
-fn main(ui: &mut Ui, text: &str, is_enabled: bool) -> eframe::egui::Response {
+/// The button that leads on, of at least this `size`.
+fn main(ui: &mut Ui, text: &str, is_enabled: bool, size: Vec2) -> Response {
     let chosen = ui.visuals().selection;
     let text = RichText::new(text).color(if is_enabled {
         chosen.stroke.color
     } else {
         ui.visuals().weak_text_color()
     });
-    let mut button = Button::new(text).min_size(MAIN_SIZE.into());
+    let mut button = Button::new(text).min_size(size);
     if is_enabled {
         button = button.fill(chosen.bg_fill);
     }

@@ -32,7 +32,7 @@ fn draft(commands: &mut Commands, answer: Option<Answer>) {
 pub fn choices(ui: &mut Ui, state: &State, course: &Course, options: &Options, commands: &mut Commands) {
     for (number, text) in options.texts.iter().enumerate() {
         let is_chosen = course.draft == Some(Answer::Choice(number));
-        if cards::choice(ui, text, number, is_chosen, state.session.stage.is_presented()).clicked() {
+        if cards::choice(ui, text, number, is_chosen, state.session.stage.has_audience()).clicked() {
             draft(commands, Some(Answer::Choice(number)));
         }
     }
@@ -67,9 +67,9 @@ pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, com
             ui.add_space(6.0);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.add_space(2.0);
-                let is_presented = state.session.stage.is_presented();
+                let has_audience = state.session.stage.has_audience();
                 let letter = cards::Sign::Letter(number, false);
-                cards::text_behind(ui, text, if is_presented { letter } else { cards::Sign::Nothing });
+                cards::text_behind(ui, text, if has_audience { letter } else { cards::Sign::Nothing });
             });
         });
     }

@@ -16,16 +16,16 @@ pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, comman
     let observed = course.record().and_then(|record: &Record| record.observed);
     for (number, text) in asked.options.texts.iter().enumerate() {
         let is_chosen = observed == Some(number);
-        if cards::choice(ui, text, number, is_chosen, is_presented).clicked() {
+        if cards::choice(ui, text, number, is_chosen, state.session.stage.has_audience()).clicked() {
             ask(commands, LessonCommand::Observe(number));
         }
     }
     match observed {
         Some(observed) if observed == asked.options.right => {
-            ui.label(RichText::new("That is what was shown.").color(cards::right_colour(ui)));
+            ui.label(RichText::new("Yes, that is what happened.").color(cards::right_colour(ui)));
         }
         Some(_) => {
-            ui.label("Something else was shown. That is easily missed: look again.");
+            ui.label("Something else happened. It is easily missed: look again.");
             // Before an audience the key that goes back does it.
             if !is_presented
                 && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()

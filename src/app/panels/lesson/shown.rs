@@ -24,7 +24,12 @@ pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
                 value(ui, "You said", &told.said);
             }
         }
-        _ => told.into_iter().for_each(|told| sentence(ui, format!("You said {}.", told.said))),
+        (Some(AnswerKind::Point(_)), _) => {
+            if let Some(told) = told {
+                sentence(ui, format!("You clicked {}.", told.said));
+            }
+        }
+        _ => told.into_iter().for_each(|told| sentence(ui, format!("You drew {}.", told.said))),
     }
 }
 
@@ -59,9 +64,10 @@ pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
                     sentence(ui, format!("You drew {}. It is {}.", told.said, told.is));
                 }
                 (AnswerKind::Point(_), Some(_)) => {
-                    sentence(ui, format!("You said {}. It is {}.", told.said, told.is));
+                    sentence(ui, format!("You clicked {}; it is seen {}.", told.said, told.is));
                     near(ui, told.right, None);
                 }
+                (AnswerKind::Point(_), None) => sentence(ui, format!("It is seen {}.", told.is)),
                 _ => sentence(ui, format!("It is {}.", told.is)),
             }
         }

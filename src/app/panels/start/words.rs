@@ -10,19 +10,19 @@ use crate::lesson::{Course, Lesson};
 /// Heading of the page.
 pub const HEADING: &str = "What do two eyes see at nearly the speed of light?";
 pub const INTRODUCTION: &str = "Gamow shows what each eye sees of a cyclist who rides past at nearly the speed of light, \
-    and what two eyes make of it. A lesson asks what you expect, shows what is seen, and explains it. Begin with the \
-    first, or look around.";
+    and what two eyes make of it. Each lesson asks for your guess, shows you what happens, and explains it.";
 
 /// Introduction to the presets.
-pub const PRESETS: &str = "States to look at and to change. Rest the pointer on one to read what it shows.";
+pub const PRESETS: &str = "Ready-made scenes. Hover to read what each one shows.";
 
 /// Invitation to write a lesson.
 pub const OWN: &str = "A lesson is a text file. Write one of your own, and drop it onto the window.";
 
-/// Returns the number of `lessons`, and their duration together.
+/// Returns the number of `lessons`, and how long one takes on average.
 pub fn extent(lessons: &[&Arc<Lesson>]) -> String {
     let minutes: u32 = lessons.iter().map(|lesson| lesson.minutes).sum();
-    format!("{} lessons, {minutes} minutes in all. Later ones build on earlier ones.", lessons.len())
+    let each = f64::from(minutes) / lessons.len().max(1) as f64;
+    format!("{} lessons of about {each:.0} minutes. Later ones build on earlier ones.", lessons.len())
 }
 
 /// Returns the subject of `lesson`, and its duration.

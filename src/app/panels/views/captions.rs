@@ -89,9 +89,11 @@ fn handlebar(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> Rect {
 const HINT: &str = "Click a point to follow it.";
 const HINT_TIME: f64 = 12.0;
 
-/// Returns the hint for a newcomer who has not clicked yet: for a while, and never before an audience.
+/// Returns the hint for a newcomer who has not clicked yet: for a while, never before an audience, and never
+/// in a lesson, which says itself what to do.
 fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
-    let is_shown = state.session.hint && !state.session.stage.is_presented();
+    let is_alone = !state.session.stage.has_audience() && state.session.lesson.is_none();
+    let is_shown = state.session.hint && is_alone;
     (is_shown && awake::is_new(ui.ctx(), HINT, HINT_TIME)).then(|| HINT.to_owned())
 }
 

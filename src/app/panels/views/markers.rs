@@ -1,6 +1,6 @@
 //! Markers at the places where an eye sees the followed points, and their clocks.
 
-use eframe::egui::{Color32, Painter, Pos2, Stroke, Ui};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, TextStyle, Ui, vec2};
 use relativity_render::{PreparedScene, View};
 
 use crate::app::state::State;
@@ -40,6 +40,9 @@ pub fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: C
         let [ring, dot] =
             if pane.is_shared { layouts::marker_colours(state, pane.eye, own, visuals) } else { [own; 2] };
         marker.paint(painter, place, radius, [ring, dot]);
+        if pane.rect.contains(place) && can_be_read(state, pane) {
+            distance(ui, painter, state, pane, point, place);
+        }
     }
     if coat == Coat::Ring && can_be_read(state, pane) {
         dial::show_resting(ui, state, pane.eye, pane.rect);
@@ -64,6 +67,29 @@ fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     let name = format!("Clock of {}, {}", state.name_of(point), pane.eye.name());
     dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
 }
+
+/// Writes below the marker at `place` how far away the eye sees the point, where that is asked for.
+fn distance(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, point: &Point, place: Pos2) {
+    let is_on = state.document.settings.window.distances && state.shows_what_is_received(pane.eye);
+    let Some(seen) = state.sighting(point, pane.eye).filter(|_| is_on) else { return };
+    let away = state.measures().length.text(seen.distance, DISTANCE_DECIMALS);
+    let text = format!("seen {away} away");
+    let galley = painter.layout_no_wrap(text, TextStyle::Body.resolve(ui.style()), Color32::WHITE);
+    let inside = pane.rect.shrink(6.0);
+    let size = galley.size();
+    let corner = Align2::CENTER_TOP.anchor_size(place + vec2(0.0, BELOW_MARKER), size).min;
+    let corner = corner.clamp(inside.min, (inside.max - size).max(inside.min));
+    painter.rect_filled(
+        Rect::from_min_size(corner, size).expand2(vec2(4.0, 1.0)),
+        3.0,
+        Color32::from_black_alpha(170),
+    );
+    painter.galley(corner, galley, Color32::WHITE);
+}
+
+/// Decimals of the distance of a marked point in the scene's unit, and how far below it that is written.
+const DISTANCE_DECIMALS: u8 = 1;
+const BELOW_MARKER: f32 = 12.0;
 
 /// A marker at the place where an eye sees a followed point.
 struct Marker {

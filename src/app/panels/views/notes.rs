@@ -39,7 +39,7 @@ fn colour_note(light: &LightSettings, geometry: Geometry) -> Option<&'static str
     match light.colour {
         Colour::OneWavelength | Colour::Glowing => None,
         Colour::StreetDaylight if on_street => Some("lit by the street's daylight"),
-        Colour::White | Colour::StreetDaylight => Some("daylight rides along"),
+        Colour::White | Colour::StreetDaylight => Some("lit by a lamp that rides along"),
         Colour::False => Some("false colour"),
     }
 }
@@ -52,7 +52,7 @@ fn street_note(state: &State) -> Option<&'static str> {
     match street_colours {
         _ if !is_seen || colour == Colour::False => None,
         StreetColours::Received => None,
-        StreetColours::Shifted if doppler_shift => Some("street evenly bright"),
+        StreetColours::Shifted if doppler_shift => Some("street brightness evened out"),
         StreetColours::Shifted | StreetColours::Painted => Some("street as painted"),
     }
 }

@@ -292,10 +292,13 @@ impl Files {
     }
 }
 
-/// The settings that the next window begins with. The parts of the window that a lesson shows are its own,
-/// and a scene's file is found again wherever the program starts next.
+/// The settings that the next window begins with. The parts of the window that a lesson shows are its own, as
+/// its layout is, and a scene's file is found again wherever the program starts next.
 fn left(state: &State) -> Settings {
     let mut settings = Settings { window: state.lesson_base().window, ..state.shown() };
+    if let Some(running) = &state.session.lesson {
+        settings.picture.layout = running.layout;
+    }
     if let Some(path) = state.scene_file().and_then(|path| files::canonical(path).ok()) {
         settings.scene = path.to_string_lossy().into_owned();
     }

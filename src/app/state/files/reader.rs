@@ -3,6 +3,7 @@
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
@@ -14,7 +15,7 @@ use relativity_render::PreparedScene;
 use crate::app::tools::waker::Woken;
 use crate::estimate::samples::DataFile;
 use crate::flags::choices::FileKind;
-use crate::lesson::Lesson;
+use crate::lesson::{Lesson, Library, Sequence};
 use crate::scene::Scene;
 use crate::settings::{Settings, SettingsError, is_link, looks_like_settings};
 
@@ -52,6 +53,8 @@ pub struct Errand {
     pub purpose: Use,
     /// The window's present settings, which complete the contents of the file.
     pub settings: Settings,
+    /// The lessons that there are.
+    pub library: Arc<Library>,
 }
 
 /// A file that was read, or could not be.
@@ -81,6 +84,8 @@ pub enum Contents {
     Scene(Box<ReadyScene>, bool),
     /// A lesson in Markdown.
     Lesson(Box<Lesson>),
+    /// A presenter's own sequence.
+    Sequence(Sequence),
     /// A table of measured disparities.
     Data(DataFile),
 }
@@ -108,6 +113,7 @@ impl Errand {
             Use::Show => match self.path.extension().map(OsStr::to_ascii_lowercase) {
                 Some(ending) if ending == "csv" => self.data(),
                 Some(ending) if ending == "md" => self.lesson(),
+                Some(ending) if ending == "txt" => self.sequence(),
                 _ => self.shown(),
             },
             Use::Fit => self.data(),
@@ -126,6 +132,10 @@ impl Errand {
     fn lesson(&self) -> Result<Contents, String> {
         let lesson = Lesson::load(&self.path).map_err(|error| error.to_string())?;
         Ok(Contents::Lesson(Box::new(lesson)))
+    }
+
+    fn sequence(&self) -> Result<Contents, String> {
+        Sequence::load(&self.path, &self.library).map(Contents::Sequence).map_err(|error| error.to_string())
     }
 
     fn scene(&self) -> Result<Contents, String> {
@@ -249,7 +259,8 @@ mod tests {
         let path = folder.path().join("tent.obj");
         let read = |text: &str| {
             std::fs::write(&path, text).expect("it is writable");
-            Errand { path: path.clone(), purpose: Use::Show, settings: Settings::default() }.read().contents
+            let (settings, library) = (Settings::default(), Library::own());
+            Errand { path: path.clone(), purpose: Use::Show, settings, library }.read().contents
         };
         let shown = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("it is right");
         let Contents::Settings { settings, scene, is_scene } = shown else { panic!("{shown:?}") };

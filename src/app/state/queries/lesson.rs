@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::app::state::State;
 use crate::lesson::{Course, Lesson, Library};
-use crate::settings::{Settings, WindowSettings};
+use crate::settings::{PictureSettings, Settings, WindowSettings};
 
 impl State {
     /// The lessons that there are.
@@ -20,7 +20,7 @@ impl State {
     }
 
     /// Returns the settings that the states of the lesson build on: defaults, in this window with the parts
-    /// that it had before.
+    /// and the layout that it had before.
     #[must_use]
     pub fn lesson_base(&self) -> Settings {
         let now = self.document.settings.window;
@@ -37,12 +37,15 @@ impl State {
             readout: before.readout,
             dials: before.dials,
             resting_clock: before.resting_clock,
+            distances: before.distances,
             ruler: before.ruler,
             resting: before.resting,
             vignette: before.vignette,
             ..now
         };
-        Settings { window, ..Settings::default().in_place_of(&self.document.settings) }
+        let base = Settings::default().in_place_of(&self.document.settings);
+        let layout = self.session.lesson.as_ref().map_or(base.picture.layout, |running| running.layout);
+        Settings { window, picture: PictureSettings { layout, ..base.picture }, ..base }
     }
 
     /// The settings that the lesson has at its present place.

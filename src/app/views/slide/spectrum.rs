@@ -3,10 +3,11 @@
 //! D = cosh u/cosh(u + eta) depends on the column alone.
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, pos2, vec2};
-use relativity_core::math::{atanh, cosh, ln, sinh, tanh};
+use relativity_core::math::{atanh, cosh, ln, log2, sinh, tanh};
 use relativity_core::{Speed, aberration};
-use relativity_render::Geometry;
 use relativity_render::colour::spectrum::VISIBLE_NM;
+use relativity_render::colour::{false_colour, srgb_level};
+use relativity_render::{Colour, Geometry};
 
 use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;
@@ -33,19 +34,30 @@ pub fn paint(painter: &Painter, state: &State, slide: &SlidingView, columns: &Pi
         _ => Speed::REST,
     };
     painter.rect_filled(strip, 0.0, INVISIBLE);
-    match rest_wavelength(state) {
-        Some(nm) => paint_colours(painter, columns, strip, |u| nm / doppler_factor(&speed, u)),
-        None => paint_factors(painter, columns, strip, &speed),
+    match (is_false(state), rest_wavelength(state)) {
+        (true, _) => {
+            paint_false_colours(painter, columns, strip, |u| doppler_factor(&speed, u));
+            paint_factors(painter, columns, strip, &speed);
+        }
+        (false, Some(nm)) => paint_colours(painter, columns, strip, |u| nm / doppler_factor(&speed, u)),
+        (false, None) => paint_factors(painter, columns, strip, &speed),
     }
     painter.hline(strip.x_range(), strip.min.y, Stroke::new(1.0, Color32::from_black_alpha(200)));
 }
 
 /// The strip in words.
 pub fn description(state: &State) -> String {
-    rest_wavelength(state).map_or_else(
-        || "the Doppler factor of each column".to_owned(),
-        |nm| format!("the spectrum of light of {}", in_words(&[nm])),
-    )
+    match (is_false(state), rest_wavelength(state)) {
+        (true, _) => "the false colour of each column".to_owned(),
+        (false, Some(nm)) => format!("the spectrum of light of {}", in_words(&[nm])),
+        (false, None) => "the Doppler factor of each column".to_owned(),
+    }
+}
+
+/// Whether the bodies are drawn in false colours that tell their Doppler factors.
+fn is_false(state: &State) -> bool {
+    let light = &state.document.settings.light;
+    light.colour == Colour::False && light.doppler_shift
 }
 
 /// The wavelength at rest of the selected point, if its light has one and that is shown.
@@ -93,6 +105,15 @@ fn paint_colours(painter: &Painter, columns: &PixelColumns, strip: Rect, wavelen
     }
 }
 
+/// Fills `strip` with the false colour of each column, as on the bodies.
+fn paint_false_colours(painter: &Painter, columns: &PixelColumns, strip: Rect, factor: impl Fn(f64) -> f64) {
+    let colour = |x: f32| {
+        let [r, g, b] = false_colour(log2(factor(columns.u(x)))).map(srgb_level);
+        Color32::from_rgb(r, g, b)
+    };
+    paint_strip(painter, strip, places(strip).map(|x| (x, colour(x))));
+}
+
 fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: &Speed) {
     let font = FontId::proportional(columns.scale * FONT_SIZE);
     if speed.beta() == 0.0 {
@@ -107,6 +128,7 @@ fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: 
         let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
         if labels.take_free([place]).is_some() {
             painter.vline(x, strip.y_range(), Stroke::new(1.5, Color32::WHITE));
+            painter.rect_filled(place, 2.0, Color32::from_black_alpha(150));
             painter.galley(place.min, galley, Color32::WHITE);
         }
     }

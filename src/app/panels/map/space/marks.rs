@@ -9,6 +9,8 @@ use crate::eye::Eye;
 use crate::map::{BodyPicture, MapProjection};
 use crate::settings::MapFrame;
 
+/// Decimals of a distance in the scene's unit.
+const DECIMALS: u8 = 1;
 /// Distance from x = 0 that counts as abreast, points.
 const ABREAST: f64 = 4.0;
 const EYE_RADIUS: f32 = 4.0;
@@ -22,6 +24,7 @@ const SMALLEST_RADIUS: f32 = 2.5;
 pub(super) fn show(on: &mut SheetPainter<'_>) {
     eyes(on);
     points(on);
+    distances(on);
     abreast(on);
     beyond(on);
 }
@@ -60,6 +63,26 @@ fn beyond(on: &mut SheetPainter<'_>) {
         let place = (pos2(room.max.x - 4.0, at.y), Align2::RIGHT_CENTER);
         let font = TextStyle::Small.resolve(ui.style());
         labels.write_at(painter, place, "measured now →", font, theme::measured_colour(ui.visuals()));
+    }
+}
+
+/// Writes how far away the selected point is measured and seen, where that is asked for.
+fn distances(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
+    if !state.document.settings.window.distances || sheet.projection != MapProjection::Plan {
+        return;
+    }
+    let point = state.document.points.selected();
+    let [left, right] = instant.eyes();
+    for (picture, name) in [(BodyPicture::Measured, "measured now"), (BodyPicture::Seen(0), "left eye sees")]
+    {
+        let Some(at) = instant.place(&point.track, picture) else { continue };
+        let from = if picture == BodyPicture::Measured { left.midpoint(right) } else { left };
+        let text = format!("{name}: {} away", state.measures().length.text(from.distance(at), DECIMALS));
+        let font = TextStyle::Small.resolve(ui.style());
+        let place = sheet.on_screen(at);
+        labels.write(painter, (place, 8.0), &text, font, colour(picture, ui.visuals()));
+        canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
 }
 

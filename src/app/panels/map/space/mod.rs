@@ -58,16 +58,22 @@ fn charts(state: &State, instant: &MapInstant, rect: Rect) -> [Chart; 2] {
     };
     let extent = close_up.unwrap_or_else(|| {
         let (settings, here) = (&state.document.settings, instant.middle());
+        let point = &state.document.points.selected().track;
+        let pictures = [BodyPicture::Measured, BodyPicture::Seen(0), BodyPicture::Seen(1)];
+        let seen = pictures.into_iter().filter_map(|picture| instant.place(point, picture));
         if !settings.ride.is_on() {
             WorldBox::of_space(settings, scene)
         } else if settings.ride.is_along_street() {
-            WorldBox::of_ride(settings, scene, here.x)
+            let around = WorldBox::of_ride(settings, scene, here.x);
+            // Distances that are told are shown.
+            if settings.window.distances {
+                around.reaching(here.x, seen.map(|place| place.x))
+            } else {
+                around
+            }
         } else {
             let velocity = instant.observer().velocity;
             let beta = velocity.speed().beta() * DVec3::from(velocity.direction());
-            let point = &state.document.points.selected().track;
-            let pictures = [BodyPicture::Measured, BodyPicture::Seen(0), BodyPicture::Seen(1)];
-            let seen = pictures.into_iter().filter_map(|picture| instant.place(point, picture));
             WorldBox::of_ride_aslant(here, beta, seen)
         }
     });

@@ -195,7 +195,7 @@ fn verdict(fitted: &Fitted) -> Option<String> {
     };
     let errors = number_text::fixed(worst, 1);
     Some(if worst <= CHANCE {
-        format!("Agrees with the truth: at most {errors} σ off.")
+        format!("Agrees with the truth to within {errors} σ.")
     } else {
         format!("Wrong: {} is {errors} σ off.", named(parameter).0)
     })
@@ -227,12 +227,12 @@ fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
             told.push("Some readings have no sigma: all readings of a curve count alike.".to_owned());
         }
         None => told.push(
-            "The file has no sigmas: all readings of a curve are taken to scatter alike, as much as the residuals do."
+            "The file has no sigmas: each reading is assumed as uncertain as the residuals suggest."
                 .to_owned(),
         ),
     }
     if !outcome.key.setup.fit_x0 {
-        told.push("x₀ = 0 is taken as known: at t = 0 the point is abreast.".to_owned());
+        told.push("x₀ is fixed at 0: the point is level with you at t = 0.".to_owned());
     }
     told.extend(other_side);
     told
