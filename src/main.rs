@@ -14,7 +14,7 @@ fn main() -> ExitCode {
     let quiet = env_logger::Env::default().default_filter_or("error,eframe=off,wgpu_hal=off,rfd=off");
     env_logger::Builder::from_env(quiet)
         .format(|out, record| {
-            let (time, level, text) = (out.timestamp(), record.level(), record.args().to_string());
+            let (time, level, text) = (out.timestamp_millis(), record.level(), record.args().to_string());
             writeln!(out, "[{time} {level} {}] {}", record.target(), messages::shown(&text))
         })
         .init();

@@ -59,12 +59,23 @@ pub fn fixed_or_none(value: Option<f64>, decimals: u8) -> String {
 /// beta with as many nines as it takes to see two or three digits of 1 - beta, in groups of three.
 #[must_use]
 pub fn beta(speed: &Speed) -> String {
+    beta_to(speed, 2.0)
+}
+
+/// beta at a glance: with as many nines as it takes to see the first digit of 1 - beta.
+#[must_use]
+pub fn short_beta(speed: &Speed) -> String {
+    beta_to(speed, 0.0)
+}
+
+/// beta with so many more decimals than 1 - beta has zeros, but at least three.
+fn beta_to(speed: &Speed, digits: f64) -> String {
     let distance = speed.one_minus_beta();
     if distance < 1e-12 {
         return format!("1 − {distance:.2e}").replace("e-", "e−");
     }
     // The slack keeps 1e-4, which is no sum of powers of two, from counting as the decade below.
-    let decimals = (2.0 + (-math::log10(distance) - 1e-9).ceil()).max(3.0) as usize;
+    let decimals = (digits + (-math::log10(distance) - 1e-9).ceil()).max(3.0) as usize;
     grouped(&format!("{:.decimals$}", speed.beta()))
 }
 
@@ -163,6 +174,20 @@ pub fn with_point(number: &str) -> Cow<'_, str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_speed_at_a_glance_is_never_rounded_to_that_of_light() {
+        for (beta, text) in [
+            (0.0, "0.000"),
+            (0.9, "0.900"),
+            (0.995_054_75, "0.995"),
+            (0.999, "0.999"),
+            (0.9996, "0.9996"),
+            (0.999_95, "0.999\u{2009}95"),
+        ] {
+            assert_eq!(short_beta(&Speed::from_beta(beta).expect("a speed")), text);
+        }
+    }
 
     #[test]
     fn bytes_are_in_the_unit_that_suits() {

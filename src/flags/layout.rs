@@ -101,6 +101,12 @@ impl Layout {
         !matches!(self.form(), Form::One(_))
     }
 
+    /// Whether the layout shows two pictures apart that nobody is to fuse, each for itself.
+    #[must_use]
+    pub const fn shows_two_apart(self) -> bool {
+        matches!(self, Self::SideBySide | Self::OverUnder)
+    }
+
     /// Whether the layout is made for two eyes that fuse its pictures, with glasses, crossed or on a screen
     /// of their own.
     #[must_use]

@@ -47,6 +47,15 @@ pub struct Library {
     refused: Vec<Refused>,
 }
 
+/// A chapter: lessons that belong together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chapter<'a> {
+    /// Title of the chapter.
+    pub title: &'a str,
+    /// The chapter's lessons, each with its number among all lessons, from 1.
+    pub lessons: Vec<(usize, &'a Arc<Lesson>)>,
+}
+
 /// A lesson of a folder that cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refused {
@@ -97,6 +106,21 @@ impl Library {
     #[must_use]
     pub fn all(&self) -> &[Arc<Lesson>] {
         &self.lessons
+    }
+
+    /// Returns the chapters, in the order of their first lessons.
+    #[must_use]
+    pub fn chapters(&self) -> Vec<Chapter<'_>> {
+        let mut chapters: Vec<Chapter<'_>> = Vec::new();
+        let lessons = self.lessons.iter().filter(|lesson| !lesson.is_a_preset());
+        for (index, lesson) in lessons.enumerate() {
+            let numbered = (index + 1, lesson);
+            match chapters.iter_mut().find(|chapter| chapter.title == lesson.chapter) {
+                Some(chapter) => chapter.lessons.push(numbered),
+                None => chapters.push(Chapter { title: &lesson.chapter, lessons: vec![numbered] }),
+            }
+        }
+        chapters
     }
 
     /// The lessons of the folder that cannot be read, by name.
@@ -164,6 +188,18 @@ mod tests {
     }
 
     #[test]
+    fn every_lesson_is_in_one_chapter() {
+        let library = Library::own();
+        let chapters = library.chapters();
+        let titles: Vec<_> = chapters.iter().map(|chapter| chapter.title).collect();
+        assert_eq!(titles, ["What is seen", "Colour and light", "Two eyes measure", "From the saddle"]);
+        let mut numbers: Vec<_> =
+            chapters.iter().flat_map(|chapter| &chapter.lessons).map(|(number, _)| *number).collect();
+        numbers.sort_unstable();
+        assert_eq!(numbers, (1..=OWN.len()).collect::<Vec<_>>());
+    }
+
+    #[test]
     fn a_folder_has_lessons_beside_the_programs_own_and_in_their_place() {
         let folder = tempfile::tempdir().expect("a folder");
         let write =
@@ -180,6 +216,8 @@ mod tests {
         assert_eq!(titles.len(), Library::own().all().len() + 1);
         assert_eq!(titles[0], "My rods");
         assert!(titles[2..=3].contains(&"Extra"), "{titles:?}");
+        let chapters: Vec<_> = library.chapters().iter().map(|chapter| chapter.title.to_owned()).collect();
+        assert!(chapters.contains(&"Your own lessons".to_owned()), "{chapters:?}");
         write("broken.md", "---\n");
         write("two-eyes.md", "---\ntitle: x\n");
         std::fs::write(folder.path().join("bytes.md"), b"---\ntitle: \xff\n").expect("it is written");

@@ -28,7 +28,7 @@ pub use answer::{Answer, Confidence, Outcome, Record};
 pub use answers::{Answers, LessonProgress};
 pub use course::Course;
 pub use error::LessonError;
-pub use library::{Library, Refused};
+pub use library::{Chapter, Library, Refused};
 pub use place::{Phase, Place};
 pub use plan::{
     Animated, Animation, AnswerKind, Choices, CurveAnswer, Lab, Lesson, Number, Options, PointAt, Prediction,

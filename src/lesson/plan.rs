@@ -66,6 +66,8 @@ pub struct Lesson {
     pub title: String,
     /// Place among the lessons.
     pub order: u32,
+    /// Title of its chapter on the start page; empty for a preset.
+    pub chapter: String,
     /// The concept of the Relativity Concept Inventory that it serves; empty for a state that only shows
     /// something.
     pub concept: String,
@@ -253,6 +255,7 @@ impl Lesson {
             path: None,
             title: preset.title.clone(),
             order: u32::MAX,
+            chapter: String::new(),
             concept: String::new(),
             minutes: 1,
             introduction: text(&preset.caption),

@@ -46,7 +46,8 @@ pub struct Scene {
 /// Bodies that move alike.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneGroup {
-    /// Name, by which bodies of one name in two groups are told apart.
+    /// Name, by which bodies of one name in two groups are told apart; of the scene's own group the preset
+    /// that it consists of, or the scene.
     pub name: String,
     /// Its motion along x: the scene's, or one of its own.
     pub motion: Motion,
@@ -237,6 +238,14 @@ impl Scene {
     #[must_use]
     pub fn name_of(&self, body: usize) -> &str {
         &self.names[body]
+    }
+
+    /// Returns the name of the group of this number, as of something that is seen: of its one body, else its
+    /// own.
+    #[must_use]
+    pub fn name_of_group(&self, group: usize) -> Option<&str> {
+        let group = self.groups.get(group)?;
+        Some(if group.count == 1 { self.name_of(group.first) } else { &group.name })
     }
 
     /// The number of what is in this version of the scene what `body` is in the version `old`: of the same

@@ -108,8 +108,8 @@ fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
 /// first.
 fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec<SceneGroup>), Located> {
     let mut all = objects(top, changes)?;
-    let mut groups =
-        vec![SceneGroup { name: name.to_owned(), motion: Motion::Scene, first: 0, count: all.len() }];
+    let name = only_include(&all).unwrap_or(name).to_owned();
+    let mut groups = vec![SceneGroup { name, motion: Motion::Scene, first: 0, count: all.len() }];
     let tables = top.tables("group", "a group")?;
     if let Some(excess) = tables.get(sizes::GROUPS) {
         return Err(Located { span: excess.span.clone(), problem: SceneProblem::ManyGroups(tables.len()) });
@@ -125,6 +125,13 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
         all.extend(own);
     }
     Ok((all, groups))
+}
+
+/// Returns the name of the preset that all of `objects` were included with, if it is one: what rides on a
+/// street is called by it, and not by the street.
+fn only_include(objects: &[Object]) -> Option<&str> {
+    let include = objects.first()?.include.as_deref()?;
+    objects.iter().all(|object| object.include.as_deref() == Some(include)).then_some(include)
 }
 
 /// Returns the motion of a group: at the scene's speed unless it has its own.

@@ -77,7 +77,7 @@ impl Settings {
     /// A layout or a projection with which it cannot.
     pub fn check_two_pictures(&self) -> Result<(), ComparisonError> {
         let layout = self.picture.layout;
-        if !matches!(layout, Layout::SideBySide | Layout::OverUnder) {
+        if !layout.shows_two_apart() {
             return Err(ComparisonError::Layout(layout));
         }
         if self.look.projection == ProjectionChoice::Vr180 { Err(ComparisonError::Headset) } else { Ok(()) }

@@ -36,7 +36,7 @@ pub use file::looks_like_settings;
 pub use head::Head;
 pub use link::{is_link, link_of_pairs};
 pub use photograph::CameraArgs;
-pub use presets::Preset;
+pub use presets::{Preset, PresetGroup};
 pub use ride::{AZIMUTH, ELEVATION, ON_A_RIDE, PUSH, Riding};
 pub use rider::Rider;
 pub use sections::{

@@ -8,6 +8,8 @@ use super::file::Heading;
 /// A state that has something to show.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Preset {
+    /// Group on the page of presets.
+    pub group: PresetGroup,
     /// Name on the command line.
     pub name: &'static str,
     /// Title on its card of the start page and in the palette.
@@ -20,45 +22,54 @@ pub struct Preset {
     pub toml: &'static str,
 }
 
+/// The groups of presets, in the order of their page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PresetGroup {
+    /// What is seen of a body that passes.
+    See,
+    /// Rides through the street.
+    Ride,
+    /// Measurements with two eyes.
+    Measure,
+    /// The states of the paper's figures.
+    Paper,
+}
+
+impl PresetGroup {
+    /// All groups, in order.
+    pub const ALL: [Self; 4] = [Self::See, Self::Ride, Self::Measure, Self::Paper];
+
+    /// Returns the title of the group.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::See => "See",
+            Self::Ride => "Ride",
+            Self::Measure => "Measure",
+            Self::Paper => "From the paper",
+        }
+    }
+}
+
 macro_rules! files {
-    ($($name:literal),+ $(,)?) => {
-        [$(($name, include_str!(concat!("../../assets/presets/", $name, ".toml")))),+]
+    ($($group:ident: $($name:literal),+;)+) => {
+        [$($((PresetGroup::$group, $name, include_str!(concat!("../../assets/presets/", $name, ".toml")))),+),+]
     };
 }
 
-/// The names of all, and their files; the first is the start.
-const FILES: [(&str, &str); 26] = files![
-    "street",
-    "overhead",
-    "approaching",
-    "abreast",
-    "receding",
-    "abreast-0.6",
-    "disparity-curve",
-    "gamow-1938",
-    "die",
-    "globe",
-    "train",
-    "tram",
-    "rolling-wheel",
-    "panorama",
-    "lattice",
-    "vienna-cube",
-    "vienna-sphere",
-    "beaming",
-    "extreme-gamma",
-    "measuring",
-    "missing-parallax",
-    "ride-lamps",
-    "ride-post-office",
-    "ride-tunnel",
-    "ride-overtaking",
-    "ride-twins",
+/// The groups, names and files of all, best first in each group; the first is the start.
+const FILES: [(PresetGroup, &str, &str); 26] = files![
+    See: "street", "gamow-1938", "rolling-wheel", "tram", "globe", "die", "vienna-cube", "vienna-sphere",
+        "beaming", "lattice", "panorama", "train", "extreme-gamma";
+    Ride: "ride-post-office", "ride-lamps", "ride-overtaking", "ride-twins", "ride-tunnel";
+    Measure: "measuring", "missing-parallax";
+    Paper: "abreast", "abreast-0.6", "approaching", "receding", "overhead", "disparity-curve";
 ];
 
 static ALL: LazyLock<Vec<Preset>> = LazyLock::new(|| {
-    let preset =
-        |(name, text)| Preset::read(name, text).unwrap_or_else(|| unreachable!("tests read every preset"));
+    let preset = |(group, name, text)| {
+        Preset::read(group, name, text).unwrap_or_else(|| unreachable!("tests read every preset"))
+    };
     FILES.map(preset).into()
 });
 
@@ -67,6 +78,12 @@ impl Preset {
     #[must_use]
     pub fn all() -> &'static [Self] {
         &ALL
+    }
+
+    /// Returns the preset to start from.
+    #[must_use]
+    pub fn start() -> &'static Self {
+        &ALL[0]
     }
 
     /// The names of all, in a line.
@@ -85,14 +102,20 @@ impl Preset {
     #[must_use]
     pub fn matching(settings: &Settings) -> Option<&'static Self> {
         let with = |settings: &Settings| {
-            ALL.iter().find(|preset| preset.settings.clone().in_place_of(settings) == *settings)
+            ALL.iter().find(|Self { settings: own, .. }| {
+                let mut shown = own.clone().in_place_of(settings);
+                if own.ride.is_on() {
+                    shown.picture.layout = settings.picture.layout;
+                }
+                shown == *settings
+            })
         };
         with(settings).or_else(|| with(&Settings { time: None, ..settings.clone() }))
     }
 
-    fn read(name: &'static str, text: &'static str) -> Option<Self> {
+    fn read(group: PresetGroup, name: &'static str, text: &'static str) -> Option<Self> {
         let Heading { title, caption } = Heading::in_toml(text)?;
         let settings = Settings::default().with_toml(text, name).ok()?;
-        Some(Self { name, title, caption, settings, toml: text })
+        Some(Self { group, name, title, caption, settings, toml: text })
     }
 }

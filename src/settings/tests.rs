@@ -159,7 +159,7 @@ fn fit() -> impl Strategy<Value = FitSettings> {
 fn window() -> impl Strategy<Value = WindowSettings> {
     let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
     let shares = (share(), share(), share());
-    (any::<[bool; 14]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+    (any::<[bool; 15]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
         |(
             [
                 views,
@@ -176,6 +176,7 @@ fn window() -> impl Strategy<Value = WindowSettings> {
                 ruler,
                 resting,
                 vignette,
+                animations,
             ],
             (side_share, strip_share, map_share),
             map,
@@ -201,6 +202,7 @@ fn window() -> impl Strategy<Value = WindowSettings> {
                 ruler,
                 resting,
                 vignette,
+                animations,
                 units,
                 theme,
             }

@@ -37,6 +37,7 @@ mod predictions;
 mod presenting;
 mod quality;
 mod random_user;
+mod ready;
 mod riding;
 mod saving;
 mod sequence;
@@ -90,6 +91,7 @@ fn main() -> ExitCode {
         presenting::TESTS,
         quality::TESTS,
         random_user::TESTS,
+        ready::TESTS,
         riding::TESTS,
         saving::TESTS,
         sequence::TESTS,

@@ -140,7 +140,7 @@ fn every_layout_is_chosen_by_name_and_by_key() {
     assert_eq!(layout(&window), Layout::Dubois);
     window.get_by_label("Both eyes' view");
     // A preset is another state to look at, in the same way.
-    window.get_by_label("Lessons").click();
+    window.get_by_label("Presets").click();
     window.run();
     window.get_by_label("A globe").click();
     window.run();

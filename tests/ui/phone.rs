@@ -32,7 +32,7 @@ fn a_newcomer_makes_the_first_prediction_on_a_phone() {
     window.run_steps(2);
     let first = Library::own().all().iter().find(|lesson| !lesson.is_a_preset()).cloned();
     let first = first.expect("there are lessons");
-    let begin = format!("Begin: {}", first.title);
+    let begin = format!("First lesson, {} min", first.minutes);
     assert!(inside(&window, &begin), "it is out of sight");
     window.get_by_role_and_label(Role::Button, &begin).click();
     window.run_steps(4);

@@ -1,19 +1,23 @@
 //! Riding: keys pedal and brake, the instruments and all else on screen follow, and the ride is recorded as
 //! it was ridden.
 
-use eframe::egui::Key;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, GazeCommand, PlaybackCommand, SettingsCommand, Switch};
+use gamow::app::commands::{Command, GazeCommand, PlaybackCommand, SettingsCommand, ShowCommand, Switch};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::riding::saddle::RideCommand;
+use gamow::eye::Eye;
+use gamow::flags::choices::Layout;
 use gamow::settings::{MapFrame, Preset, Riding, Settings};
 use relativity_core::{Baseline, Model, Observer, ObserverVelocity, SourcePoint, Speed};
 
 use super::Test;
 use super::support::{
-    FRAME, assert_sane, label_starting_with, settle, shown, type_into, wide_window, window,
+    FRAME, assert_sane, in_layout, label_starting_with, labels, pane, settle, shown, type_into, wide_window,
+    window, window_of_size, window_without_pictures,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -25,6 +29,11 @@ pub const TESTS: &[Test] = trials![
     a_typed_speed_is_reached_by_pedalling,
     the_map_has_a_riders_frame_while_one_rides,
     a_fit_finds_ones_own_speed,
+    a_ride_is_one_large_picture_and_getting_off_gives_the_layout_back,
+    one_command_opens_the_street_and_rides,
+    the_large_speed_is_ones_own,
+    the_throttle_is_reached_by_pedalling,
+    instruments_cover_nothing_that_is_marked,
 ];
 
 fn street() -> State {
@@ -149,7 +158,7 @@ fn who_walks_goes_where_they_look_and_leaves_the_bicycle() {
     window.state_mut().run(RideCommand::Face);
     window.run_steps(2);
     let velocity = state(&window).rider().observer().velocity.direction();
-    let camera = state(&window).view(gamow::eye::Eye::Left, [400, 300]).camera;
+    let camera = state(&window).view(Eye::Left, [400, 300]).camera;
     let gaze = camera.gaze.axes();
     assert!((gaze.right.x * velocity[0] + gaze.right.y * velocity[1]).abs() < 1e-9, "{velocity:?}");
     assert!(gaze.forward.x * velocity[0] + gaze.forward.y * velocity[1] > 0.9);
@@ -203,11 +212,16 @@ fn a_rider_reads_what_the_core_says() {
     assert!((shown(&window, "Proper time now, by my reckoning") - reckoned).abs() < 6e-5);
     assert!((shown(&window, "Disparity Δφ") - both.dphi).abs() < 6e-6);
     let instruments = label_starting_with(&window, "Left eye, instruments");
-    for part in ["β = 0.900", "γ = 2.294", "my clock 9.00", "street clock here 20.65", "at x = 18.58"] {
-        assert!(instruments.contains(part), "{part} in {instruments}");
-    }
     // Its wheel counts the contracted street, its lamps the street's own.
-    for part in ["ridden: 8.10 by my wheel", "18.58 by the lamps"] {
+    for part in [
+        "my speed 0.900\u{a0}c",
+        "γ = 2.294",
+        "η = 1.472",
+        "my clock 9.00",
+        "clock of the street here 20.65",
+        "ridden: 8.10 by my wheel, 18.58 by the lamps",
+        "I am at x = 18.58",
+    ] {
         assert!(instruments.contains(part), "{part} in {instruments}");
     }
 }
@@ -370,4 +384,150 @@ fn a_fit_finds_ones_own_speed() {
         let aside = fitted.value(relativity_core::Parameter::Y).expect("it is fitted");
         assert!((beta - 0.9).abs() < 1e-6 && (aside - expected).abs() < 1e-5, "{beta} {aside} {expected}");
     }
+}
+
+fn layout(window: &Harness<'_, App>) -> Layout {
+    state(window).document.settings.picture.layout
+}
+
+fn a_ride_is_one_large_picture_and_getting_off_gives_the_layout_back() {
+    let glasses = [Layout::Anaglyph, Layout::CrossEyed, Layout::Right, Layout::Left];
+    for (before, ridden) in [Layout::SideBySide, Layout::OverUnder]
+        .map(|apart| (apart, Layout::Left))
+        .into_iter()
+        .chain(glasses.map(|kept| (kept, kept)))
+    {
+        let mut window = window(street());
+        window.state_mut().run(in_layout(before));
+        window.key_press(Key::I);
+        window.run_steps(2);
+        assert_eq!(layout(&window), ridden, "{before:?}");
+        window.key_press(Key::I);
+        window.run_steps(2);
+        assert_eq!(layout(&window), before);
+        // A preset of a ride has it too, and takes it away again.
+        let named = |name| ShowCommand::Preset(Preset::named(name).expect("a preset"));
+        window.state_mut().run(named("ride-lamps"));
+        assert_eq!(layout(&window), ridden, "{before:?}");
+        assert_eq!(state(&window).document.preset.map(|preset| preset.name), Some("ride-lamps"));
+        window.state_mut().run(named("die"));
+        let expected = if ridden == before { before } else { Layout::SideBySide };
+        assert!(layout(&window) == expected || before == Layout::Left, "{before:?}");
+    }
+    let mut window = window(street());
+    window.key_press(Key::I);
+    window.run_steps(2);
+    let picture = pane(&window, 0);
+    assert!(window.query_by_label("Right eye view").is_none());
+    assert!(picture.width() > 700.0, "{picture:?}");
+    // Who chose two pictures on the ride keeps them.
+    window.state_mut().run(in_layout(Layout::OverUnder));
+    window.key_press(Key::I);
+    window.run_steps(2);
+    assert_eq!(layout(&window), Layout::OverUnder);
+}
+
+fn one_command_opens_the_street_and_rides() {
+    let mut window = window(preset("globe"));
+    window.state_mut().run(ShowCommand::Ride);
+    window.run_steps(2);
+    let Settings { scene, ride, .. } = &*state(&window).document.settings;
+    assert_eq!((scene.as_str(), ride.is_on(), layout(&window)), ("street", true, Layout::Left));
+    assert!(state(&window).scratch.playing && state(&window).rider().velocity.beta() == 0.0);
+    window.state_mut().run(Command::Undo);
+    window.run_steps(2);
+    assert_eq!(state(&window).document.settings.scene, "globe");
+    assert_sane(state(&window));
+}
+
+/// The speed is written large in three places, and in all of them it is the rider's.
+fn the_large_speed_is_ones_own() {
+    let has = |window: &Harness<'_, App>, text: &str| labels(window).iter().any(|label| label == text);
+    for simple in [true, false] {
+        let mut state = preset("ride-overtaking");
+        state.document.settings.window.simple = simple;
+        let mut window = window(state);
+        assert!(has(&window, "I ride at 0.900\u{a0}c") && !has(&window, "β = 0.500"), "{simple}");
+        // With few controls there is one slider for speeds.
+        assert_eq!(has(&window, "cyclist at 0.500\u{a0}c"), !simple);
+        let speeds = ["Speed β", "My speed β"].map(|name| {
+            window
+                .query_all_by(|node| node.role() == Role::Slider && node.label().as_deref() == Some(name))
+                .count()
+        });
+        assert_eq!(speeds, [usize::from(!simple), 1]);
+        window.key_press(Key::P);
+        window.run_steps(3);
+        assert!(has(&window, "I ride at 0.900\u{a0}c") && !has(&window, "β = 0.500"));
+        assert!(has(&window, "cyclist at 0.500\u{a0}c"));
+    }
+    // Where no body moves none has a speed, and without a ride the bodies' is the large one.
+    let mut window = window(preset("ride-lamps"));
+    assert!(!labels(&window).iter().any(|label| label.contains("at 0.000")));
+    window.key_press(Key::I);
+    window.run_steps(2);
+    assert!(has(&window, "β = 0.000"));
+    let mut narrow = window_without_pictures(preset("ride-overtaking"), [360.0, 740.0]);
+    narrow.run_steps(2);
+    assert!(has(&narrow, "I ride at 0.900\u{a0}c"));
+}
+
+fn the_throttle_is_reached_by_pedalling() {
+    let mut state = preset("ride-lamps");
+    state.document.settings.window.simple = true;
+    let mut window = window(state);
+    window.get_by_label("Set β to 0.99").click();
+    window.run_steps(2);
+    assert!(self::state(&window).scratch.playing, "T runs");
+    let ride = &self::state(&window).document.settings.ride;
+    let needed = (0.99_f64.atanh() - 0.9_f64.atanh()) / ride.push;
+    assert!((ride.duration() - 10.0 - needed).abs() < 1e-9);
+    assert!((ride.rider(ride.duration()).velocity.beta() - 0.99).abs() < 1e-12);
+    let target = self::state(&window).throttle().speed().beta();
+    assert!((target - 0.99).abs() < 1e-12, "the slider shows what is aimed at: {target}");
+    let speed = self::state(&window).rider().velocity.beta();
+    assert!(speed > 0.9 && speed < 0.99, "{speed}");
+    window.state_mut().run(Command::Undo);
+    assert!(self::state(&window).document.settings.ride.coasts());
+    assert_sane(self::state(&window));
+}
+
+/// At all of these sizes: every followed point in the picture is beside the instruments.
+fn instruments_cover_nothing_that_is_marked() {
+    const SIZES: [[f32; 2]; 4] = [[360.0, 740.0], [1024.0, 600.0], [1280.0, 800.0], [1920.0, 1080.0]];
+    for name in ["ride-lamps", "ride-post-office", "ride-tunnel", "ride-overtaking", "ride-twins"] {
+        for size in SIZES {
+            let mut window = window_of_size(preset(name), size, 0.25);
+            for time in [0.0, 5.0, 9.0, 11.0] {
+                window.state_mut().run(PlaybackCommand::GoTo(time));
+                window.run_steps(2);
+                let Some(node) = window.query_by(|node| {
+                    node.label().is_some_and(|label| label.starts_with("Left eye, instruments"))
+                }) else {
+                    panic!("{name} at {size:?} has no instruments")
+                };
+                let (instruments, picture) = (node.rect(), pane(&window, 0));
+                assert!(
+                    picture.contains_rect(instruments),
+                    "{name} at {size:?}: {instruments:?} {picture:?}"
+                );
+                for place in marked(&window, picture) {
+                    assert!(!instruments.contains(place), "{name} at {size:?}, {time}: {place:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Places of the followed points in the left eye's picture.
+fn marked(window: &Harness<'_, App>, picture: Rect) -> Vec<Pos2> {
+    let state = state(window);
+    let size = [picture.width(), picture.height()].map(|side| side.round() as u32);
+    let camera = state.view(Eye::Left, size).camera;
+    let points = state.document.points.all().iter();
+    points
+        .filter_map(|point| camera.pixel(state.direction(point, Eye::Left)?))
+        .map(|[u, v]| picture.min + vec2(u as f32, v as f32))
+        .filter(|place| picture.contains(*place))
+        .collect()
 }

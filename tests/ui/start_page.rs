@@ -1,10 +1,10 @@
-//! The start page: all lessons and presets, pictures of what they show, and the way in.
+//! The start page: the ways in, the chapters with their lessons, the presets, and pictures of all.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Rect, Vec2, pos2};
+use eframe::egui::{Key, Modifiers, Rect, Vec2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::commands::{Command, WindowCommand};
@@ -13,13 +13,14 @@ use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
 use gamow::app::state::overlay::Overlay;
 use gamow::lesson::{Course, Library};
-use gamow::settings::{Preset, Settings, Theme};
+use gamow::settings::{Preset, PresetGroup, Settings, Theme};
 
 use super::Test;
 use super::support::{settle, window, window_of_size};
 
 pub const TESTS: &[Test] = trials![
-    the_start_page_has_all_lessons_and_presets,
+    the_start_page_leads_to_all_lessons_and_presets,
+    the_first_page_leads_to_a_ride_a_passage_and_a_lesson,
     the_start_page_opens_and_closes_by_its_key_and_button,
     the_start_page_begins_the_first_lesson_and_then_goes_on,
     three_clicks_lead_a_newcomer_to_the_first_reveal,
@@ -28,6 +29,7 @@ pub const TESTS: &[Test] = trials![
     keys_change_nothing_behind_the_start_page,
     thumbnails_arrive_once_and_differ,
     no_thumbnail_is_drawn_while_the_start_page_is_closed,
+    the_picture_of_the_start_page_moves_only_while_it_is_seen,
     the_start_page_fits_every_window,
     lessons_that_cannot_be_read_stand_beside_the_others_with_the_reason,
 ];
@@ -39,16 +41,47 @@ fn newcomers() -> State {
     state
 }
 
-/// What the cards of lessons are called, in their order, and those of presets.
-fn names() -> (Vec<String>, Vec<String>) {
+/// The ways in for a newcomer, in their order.
+fn ways_in() -> [String; 3] {
+    let minutes = Library::own().all()[0].minutes;
+    ["Get on and ride".to_owned(), "Watch a cyclist pass".to_owned(), format!("First lesson, {minutes} min")]
+}
+
+/// What the cards of chapters are called.
+fn chapters() -> Vec<String> {
+    Library::own().chapters().iter().map(|chapter| chapter.title.to_owned()).collect()
+}
+
+/// What the cards of the lessons in the chapter with this number are called.
+fn lessons(chapter: usize) -> Vec<String> {
     let library = Library::own();
-    let lessons = library.all().iter().filter(|lesson| !lesson.is_a_preset());
-    let lessons = lessons.enumerate().map(|(number, lesson)| format!("{}. {}", number + 1, lesson.title));
-    (lessons.collect(), Preset::all().iter().map(|preset| preset.title.clone()).collect())
+    let lessons = &library.chapters()[chapter].lessons;
+    lessons.iter().map(|(number, lesson)| format!("{number}. {}", lesson.title)).collect()
+}
+
+/// What the cards of presets are called.
+fn presets() -> Vec<String> {
+    Preset::all().iter().map(|preset| preset.title.clone()).collect()
+}
+
+/// A newcomer's window at this page.
+fn at(page: Overlay, size: [f32; 2]) -> Harness<'static, App> {
+    let mut state = newcomers();
+    state.session.overlay = Some(page);
+    window_of_size(state, size, 1.0)
+}
+
+fn page(window: &Harness<'_, App>) -> Option<Overlay> {
+    window.state().state().session.overlay
 }
 
 fn is_open(window: &Harness<'_, App>) -> bool {
-    window.query_by_label("Look around").is_some()
+    page(window).is_some()
+}
+
+fn press(window: &mut Harness<'_, App>, name: &str) {
+    window.get_by_label(name).click();
+    window.run_ok();
 }
 
 fn open_lesson(window: &Harness<'_, App>) -> Option<String> {
@@ -71,13 +104,30 @@ fn lessons_that_cannot_be_read_stand_beside_the_others_with_the_reason() {
     assert_eq!(window.query_all_by_label_contains("10 more lessons cannot be read").count(), 1);
 }
 
-fn the_start_page_has_all_lessons_and_presets() {
-    let window = window(newcomers());
-    let (lessons, presets) = names();
-    assert!(lessons.len() >= 12 && lessons[0].starts_with("1. "));
-    let place = |name: &String| window.get_by_label(name).rect().min;
-    let places: Vec<_> = lessons.iter().chain(&presets).map(place).collect();
-    assert!(places.is_sorted_by(|a, b| (a.y, a.x) < (b.y, b.x)), "in order, row by row: {places:?}");
+fn the_start_page_leads_to_all_lessons_and_presets() {
+    let mut window = window(newcomers());
+    let in_order = |window: &Harness<'_, App>, names: &[String]| {
+        let place = |name: &String| window.get_by_label(name).rect().min;
+        let places: Vec<_> = names.iter().map(place).collect();
+        assert!(places.is_sorted_by(|a, b| (a.y, a.x) < (b.y, b.x)), "in order, row by row: {places:?}");
+    };
+    assert_eq!(chapters().len(), 4);
+    in_order(&window, &chapters());
+    for (number, chapter) in chapters().iter().enumerate() {
+        press(&mut window, chapter);
+        assert_eq!(page(&window), Some(Overlay::Chapter(number)));
+        in_order(&window, &lessons(number));
+        press(&mut window, "← Start page");
+        assert_eq!(page(&window), Some(Overlay::Start));
+    }
+    let cards = window.query_all_by_role_and_label(Role::Button, "Presets").collect::<Vec<_>>();
+    cards.last().expect("there is a way").click();
+    window.run_ok();
+    assert_eq!(page(&window), Some(Overlay::Presets));
+    in_order(&window, &presets());
+    for group in PresetGroup::ALL {
+        window.get_by_role_and_label(Role::Label, group.title());
+    }
     // The views have made way.
     assert!(window.query_by_label("Left eye view").is_none());
     // Whoever has a lesson or a preset to begin with has no page before it.
@@ -94,32 +144,69 @@ fn the_start_page_opens_and_closes_by_its_key_and_button() {
     for _ in 0..2 {
         window.key_press(Key::S);
         window.run_ok();
-        assert!(is_open(&window));
+        assert_eq!(page(&window), Some(Overlay::Start));
         window.get_by_role_and_label(Role::Button, "Lessons").click();
         window.run_ok();
         assert!(!is_open(&window));
     }
-    window.get_by_role_and_label(Role::Button, "Lessons").click();
-    window.run_ok();
-    window.get_by_label("Look around").click();
-    window.run_ok();
-    assert!(!is_open(&window) && open_lesson(&window).is_none());
+    // From the pages below it Escape leads back to it, and so does its key.
+    for key in [Key::Escape, Key::S] {
+        window.key_press_modifiers(Modifiers::SHIFT, Key::S);
+        window.run_ok();
+        assert_eq!(page(&window), Some(Overlay::Presets));
+        window.key_press(key);
+        window.run_ok();
+        assert_eq!(page(&window), Some(Overlay::Start));
+        window.key_press(key);
+        window.run_ok();
+        assert!(!is_open(&window));
+    }
+}
+
+fn the_first_page_leads_to_a_ride_a_passage_and_a_lesson() {
+    let [ride, watch, lesson] = ways_in();
+    let mut window = window(newcomers());
+    press(&mut window, &watch);
+    let shown = |window: &Harness<'_, App>| window.state().state().clone();
+    assert!(!is_open(&window) && shown(&window).scratch.playing);
+    assert_eq!(shown(&window).document.preset, Some(Preset::start()));
+    let begun = shown(&window).document.time;
+    window.run_steps(4);
+    assert!(shown(&window).document.time > begun, "the cyclist comes");
+    for (way, is_ride) in [(&watch, false), (&ride, true)] {
+        window.key_press(Key::S);
+        window.run_steps(2);
+        window.get_by_label(way).click();
+        window.run_steps(3);
+        assert!(!is_open(&window) && shown(&window).scratch.playing, "{way}");
+        assert_eq!(shown(&window).document.settings.ride.is_on(), is_ride, "{way}");
+    }
+    window.key_press(Key::S);
+    window.run_steps(2);
+    window.get_by_label(&lesson).click();
+    window.run_steps(3);
+    assert_eq!(open_lesson(&window), Some(Library::own().all()[0].name.clone()));
 }
 
 fn the_start_page_begins_the_first_lesson_and_then_goes_on() {
     let library = Library::own();
     let [first, second] = [0, 1].map(|number: usize| &library.all()[number]);
+    let [.., begin] = ways_in();
     let mut window = window(newcomers());
-    window.get_by_label(&format!("Begin: {}", first.title)).click();
-    window.run_ok();
+    press(&mut window, &begin);
     assert!(!is_open(&window));
     assert_eq!(open_lesson(&window).as_deref(), Some(first.name.as_str()));
     window.key_press(Key::S);
     window.run_ok();
-    // Its card says where one is; it and the way in lead back without beginning anew.
+    // The way in leads back without beginning anew, and so does its card, which says where one is.
     let place = window.state().state().course().expect("it is open").place();
-    window.get_by_label(&format!("Go on: {}", first.title)).click();
+    press(&mut window, &format!("Go on: {}", first.title));
+    assert!(!is_open(&window));
+    assert_eq!(window.state().state().course().expect("it is open").place(), place);
+    window.key_press(Key::S);
     window.run_ok();
+    press(&mut window, &chapters()[0]);
+    press(&mut window, &lessons(0)[0]);
     assert!(!is_open(&window));
     assert_eq!(window.state().state().course().expect("it is open").place(), place);
     // Once it is over the next one is offered; a lesson left in its middle is offered again.
@@ -130,44 +217,40 @@ fn the_start_page_begins_the_first_lesson_and_then_goes_on() {
     ask(&mut window, LessonCommand::Close);
     window.key_press(Key::S);
     window.run_ok();
-    window.get_by_label(&format!("Begin: {}", first.title)).click();
-    window.run_ok();
+    press(&mut window, &begin);
     for _ in 0..100 {
         ask(&mut window, LessonCommand::Forward);
     }
     ask(&mut window, LessonCommand::Close);
     window.key_press(Key::S);
     window.run_ok();
-    window.get_by_label(&format!("Begin: {}", second.title));
+    window.get_by_label(&format!("Next lesson: {}", second.title));
 }
 
 fn three_clicks_lead_a_newcomer_to_the_first_reveal() {
-    let text = "---\ntitle: Another first\norder: 1\n---\n\n## One step\n\nLook.\n\n### Predict\n\nWhich?\n\n\
+    let text = "---\ntitle: Another first\norder: 1\nminutes: 3\n---\n\n## One step\n\nLook.\n\n### Predict\n\nWhich?\n\n\
                 - [ ] this one\n- [x] that one\n\n### Reveal\n\nSee.\n";
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("rods.md"), text).expect("it is written");
     let mut state = newcomers();
     state.session.library = Some(Arc::new(Library::new(Some(folder.path())).expect("it is a lesson")));
     let mut window = window(state);
-    for name in ["Begin: Another first", "that one", "Predict"] {
+    for name in ["First lesson, 3 min", "that one", "Predict"] {
         assert!(!window.state().state().course().is_some_and(Course::is_revealed), "before {name}");
-        window.get_by_label(name).click();
-        window.run_ok();
+        press(&mut window, name);
     }
     assert!(window.state().state().course().is_some_and(Course::is_revealed));
 }
 
 fn a_click_on_a_card_of_the_start_page_shows_it() {
-    let (lessons, _) = names();
-    let mut window = window_of_size(newcomers(), [1280.0, 2400.0], 1.0);
-    window.get_by_label("A globe").click();
-    window.run_ok();
+    let mut window = at(Overlay::Presets, [1280.0, 1600.0]);
+    press(&mut window, "A globe");
     assert!(!is_open(&window) && open_lesson(&window).is_none());
     assert_eq!(window.state().state().document.preset.map(|preset| preset.name), Some("globe"));
     window.key_press(Key::S);
     window.run_ok();
-    window.get_by_label(&lessons[2]).click();
-    window.run_ok();
+    press(&mut window, &chapters()[0]);
+    press(&mut window, &lessons(0)[2]);
     assert!(!is_open(&window));
     assert_eq!(open_lesson(&window), Some(Library::own().all()[2].name.clone()));
 }
@@ -178,18 +261,33 @@ fn focused(window: &Harness<'_, App>) -> Option<(String, Rect)> {
     Some((node.accesskit_node().label()?, node.rect()))
 }
 
-fn cards_of_the_start_page_are_reached_and_pressed_by_keys() {
-    let mut window = window_of_size(newcomers(), [800.0, 600.0], 1.0);
-    let (lessons, presets) = names();
+/// Goes by the keyboard to `last`, and returns what it came by.
+fn reached_by_keys(window: &mut Harness<'_, App>, last: &str) -> BTreeSet<String> {
     let mut reached = BTreeSet::new();
-    while !reached.contains(presets.last().expect("there are some")) {
+    while !reached.contains(last) {
         window.key_press(Key::Tab);
         window.run_steps(20);
-        let (name, rect) = focused(&window).expect("something has the keyboard");
+        let (name, rect) = focused(window).expect("something has the keyboard");
         assert!(rect.min.y >= 0.0 && rect.max.y <= 601.0, "{name} is scrolled to: {rect:?}");
         assert!(reached.insert(name) && reached.len() < 60, "each once: {reached:?}");
     }
-    assert!(lessons.iter().chain(&presets).all(|name| reached.contains(name)), "{reached:?}");
+    reached
+}
+
+fn cards_of_the_start_page_are_reached_and_pressed_by_keys() {
+    let mut window = at(Overlay::Start, [800.0, 600.0]);
+    let last = chapters().pop().expect("there are some");
+    let reached = reached_by_keys(&mut window, &last);
+    assert!(ways_in().iter().chain(&chapters()).all(|name| reached.contains(name)), "{reached:?}");
+    window.key_press(Key::Enter);
+    window.run_ok();
+    assert_eq!(page(&window), Some(Overlay::Chapter(chapters().len() - 1)));
+    let last = lessons(chapters().len() - 1).pop().expect("there are some");
+    reached_by_keys(&mut window, &last);
+    let mut window = at(Overlay::Presets, [800.0, 600.0]);
+    let last = presets().pop().expect("there are some");
+    let reached = reached_by_keys(&mut window, &last);
+    assert!(presets().iter().all(|name| reached.contains(name)), "{reached:?}");
     window.key_press(Key::Enter);
     window.run_ok();
     assert!(!is_open(&window));
@@ -198,7 +296,7 @@ fn cards_of_the_start_page_are_reached_and_pressed_by_keys() {
 }
 
 fn keys_change_nothing_behind_the_start_page() {
-    let mut window = window(newcomers());
+    let mut window = at(Overlay::Presets, [1120.0, 700.0]);
     let shown = window.state().state().shown();
     for key in
         [Key::PageDown, Key::ArrowDown, Key::ArrowUp, Key::Home, Key::End, Key::Space, Key::L, Key::Num2]
@@ -209,10 +307,11 @@ fn keys_change_nothing_behind_the_start_page() {
     assert!(is_open(&window));
     assert_eq!(window.state().state().shown(), shown);
     // They scroll.
-    let top = window.get_by_label("Look around").rect().min.y;
+    let first = &presets()[0];
+    let top = window.get_by_label(first).rect().min.y;
     window.key_press(Key::Home);
     window.run_steps(30);
-    assert!(window.get_by_label("Look around").rect().min.y > top + 300.0);
+    assert!(window.get_by_label(first).rect().min.y > top + 100.0);
 }
 
 /// The pixels of the pictures on the cards with these `names`.
@@ -229,20 +328,16 @@ fn pictures(window: &mut Harness<'_, App>, names: &[String]) -> Vec<Vec<[u8; 4]>
 }
 
 fn thumbnails_arrive_once_and_differ() {
-    let (_, presets) = names();
-    let mut window = window_of_size(newcomers(), [1280.0, 2400.0], 1.0);
-    let empty: BTreeSet<_> = pictures(&mut window, &presets[6..]).concat().into_iter().collect();
-    assert_eq!(empty.len(), 1, "quiet places, until there are pictures");
+    let mut window = at(Overlay::Presets, [1280.0, 1600.0]);
     settle(&mut window);
     let count = window.state().thumbnails().count();
-    // One of each, and what both eyes see beside the introduction.
-    assert_eq!(count, Library::own().all().len() + 2);
+    assert_eq!(count, presets().len());
     assert!(window.run_ok().is_some_and(|frames| frames < 4), "nothing is drawn any more");
-    let drawn: BTreeSet<_> = pictures(&mut window, &presets).into_iter().collect();
-    assert_eq!(drawn.len(), presets.len(), "each preset looks another");
+    let drawn: BTreeSet<_> = pictures(&mut window, &presets()).into_iter().collect();
+    assert_eq!(drawn.len(), presets().len(), "each preset looks another");
     // They are kept.
     for _ in 0..2 {
-        window.key_press(Key::S);
+        window.key_press_modifiers(Modifiers::SHIFT, Key::S);
         window.run_ok();
     }
     settle(&mut window);
@@ -254,14 +349,16 @@ fn no_thumbnail_is_drawn_while_the_start_page_is_closed() {
     let count = |window: &Harness<'_, App>| window.state().thumbnails().count();
     settle(&mut window);
     assert_eq!(count(&window), 0);
-    window.key_press(Key::S);
+    window.key_press_modifiers(Modifiers::SHIFT, Key::S);
     window.run_steps(2);
-    window.key_press(Key::Escape);
+    window.key_press(Key::S);
+    window.run_steps(1);
+    window.key_press(Key::S);
     window.run_ok();
     settle(&mut window);
     // The one that was begun may be finished.
     let left = count(&window);
-    assert!(left < names().0.len(), "{left}");
+    assert!(left < presets().len(), "{left}");
     for _ in 0..5 {
         window.step();
         assert!(window.state().thumbnails().is_settled(), "none is begun");
@@ -269,9 +366,52 @@ fn no_thumbnail_is_drawn_while_the_start_page_is_closed() {
     assert_eq!(count(&window), left);
 }
 
+/// The pixels at the upper edge of the page, which show the moving picture alone.
+fn upper_edge(window: &mut Harness<'_, App>) -> Vec<[u8; 4]> {
+    let image = window.render().expect("a picture");
+    (50..90).flat_map(|y| (100..1000).map(move |x| (x, y))).map(|(x, y)| image.get_pixel(x, y).0).collect()
+}
+
+fn the_picture_of_the_start_page_moves_only_while_it_is_seen() {
+    let mut window = window(newcomers());
+    let drawings = |window: &Harness<'_, App>| window.state().start_picture_drawings();
+    // A slow machine draws one in a second.
+    let run_until = |window: &mut Harness<'_, App>, count: u64| {
+        let steps = (0..200).find(|_| {
+            window.step();
+            drawings(window) >= count
+        });
+        steps.expect("it is drawn")
+    };
+    run_until(&mut window, 2);
+    let (first, before) = (upper_edge(&mut window), drawings(&window));
+    // At most fifteen a second: a step of these windows is a sixteenth.
+    assert!(run_until(&mut window, before + 5) >= 4);
+    assert!(upper_edge(&mut window) != first, "it moves");
+    let is_still = |window: &mut Harness<'_, App>, why: &str| {
+        window.run_steps(2);
+        let before = drawings(window);
+        window.run_steps(30);
+        assert_eq!(drawings(window), before, "{why}");
+    };
+    window.input_mut().focused = false;
+    is_still(&mut window, "behind another window");
+    window.input_mut().focused = true;
+    window.ctx.all_styles_mut(|style| style.animation_time = 0.0);
+    is_still(&mut window, "where less motion is asked for");
+    window.ctx.all_styles_mut(|style| style.animation_time = 0.1);
+    let chapter = chapters().remove(0);
+    window.get_by_label(&chapter).click();
+    is_still(&mut window, "on another page");
+    window.key_press(Key::Escape);
+    window.run_steps(2);
+    window.key_press(Key::Escape);
+    is_still(&mut window, "in the window itself");
+}
+
 fn the_start_page_fits_every_window() {
-    let (lessons, presets) = names();
     for (size, present) in [
+        ([360.0, 740.0], false),
         ([800.0, 600.0], false),
         ([1280.0, 800.0], false),
         ([1280.0, 800.0], true),
@@ -282,26 +422,31 @@ fn the_start_page_fits_every_window() {
         if present {
             state.run(WindowCommand::TogglePresenting);
         }
-        let window = window_of_size(state, size, 1.0);
+        let mut window = window_of_size(state, size, 1.0);
         let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));
-        let begin = format!("Begin: {}", Library::own().all()[0].title);
-        for name in [begin.as_str(), "Look around"] {
-            let rect = window.get_by_label(name).rect();
-            assert!(whole.contains_rect(rect), "{size:?} {name}: {rect:?}");
-        }
-        let places: Vec<_> =
-            lessons.iter().chain(&presets).map(|name| (name, window.get_by_label(name).rect())).collect();
-        for (number, (name, rect)) in places.iter().enumerate() {
-            assert!(rect.min.x >= 0.0 && rect.max.x <= size[0], "{size:?} {name}: {rect:?}");
-            assert!(rect.width() > 140.0 && rect.height() > 0.6 * rect.width(), "{size:?} {name}: {rect:?}");
-            for (other, place) in &places[..number] {
-                assert!(!rect.intersects(*place), "{size:?} {name} covers {other}");
+        let ways: Vec<_> = ways_in().iter().map(|name| window.get_by_label(name).rect()).collect();
+        assert!(ways.iter().all(|rect| whole.contains_rect(*rect)), "{size:?}: {ways:?}");
+        let mut pages = vec![(Overlay::Start, [ways_in().to_vec(), chapters()].concat())];
+        pages.extend((0..chapters().len()).map(|number| (Overlay::Chapter(number), lessons(number))));
+        pages.push((Overlay::Presets, presets()));
+        for (page, names) in pages {
+            if page != Overlay::Start {
+                window.state_mut().run(WindowCommand::Toggle(page));
+                window.run_steps(2);
+            }
+            let places: Vec<_> = names.iter().map(|name| (name, window.get_by_label(name).rect())).collect();
+            for (number, (name, rect)) in places.iter().enumerate() {
+                assert!(rect.min.x >= 0.0 && rect.max.x <= size[0], "{size:?} {name}: {rect:?}");
+                for (other, place) in &places[..number] {
+                    assert!(!rect.intersects(*place), "{size:?} {name} covers {other}");
+                }
+            }
+            for (name, rect) in places.iter().filter(|(name, _)| !ways_in().contains(name)) {
+                assert!(
+                    rect.width() > 140.0 && rect.height() > 0.6 * rect.width(),
+                    "{size:?} {name}: {rect:?}"
+                );
             }
         }
-        assert!(
-            whole.contains_rect(places[0].1),
-            "{size:?}: the first lesson is in sight: {:?}",
-            places[0].1
-        );
     }
 }

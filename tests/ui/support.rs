@@ -199,6 +199,11 @@ pub fn wait_for(
     }
 }
 
+/// Steps the window until the notes on its pictures have faded: it is at rest then.
+pub fn rest(window: &mut Harness<'_, App>) {
+    window.run_steps((5.0 / FRAME) as usize);
+}
+
 /// Steps the window until no work is left in the background: in three frames together, since some begins in
 /// the frame after other work has ended.
 pub fn settle(window: &mut Harness<'_, App>) {

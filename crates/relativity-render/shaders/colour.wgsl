@@ -49,13 +49,14 @@ fn shown(light: vec3f, row: i32, place: f32) -> vec4f {
     return vec4f(colour, unseen);
 }
 
-// The grey of light with this unseen share, from -1 (ultraviolet) to 1 (infrared), in the pixel with this
+// The colour of light with this unseen share, from -1 (ultraviolet) to 1 (infrared), in the pixel with this
 // middle.
-fn hatched(unseen: f32, pixel: vec2f) -> f32 {
+fn hatched(unseen: f32, pixel: vec2f) -> vec3f {
     let periods = (pixel.x + select(-pixel.y, pixel.y, unseen > 0.0)) * frame.hatch[0].y;
     let from_line = abs(fract(periods) - 0.5) * frame.hatch[0].x;
     let cover = clamp(frame.hatch[0].z - from_line + 0.5, 0.0, 1.0);
-    return abs(unseen) * (frame.hatch[1].x + frame.hatch[1].y * cover);
+    let between = select(frame.hatch[1].www, frame.hatch[1].rgb, unseen > 0.0);
+    return abs(unseen) * (between + frame.hatch[0].w * cover);
 }
 
 // `light`: of one place in a table that place at rest, how far it moves per octave of the shift (back for

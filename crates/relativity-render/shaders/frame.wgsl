@@ -74,8 +74,8 @@ struct FrameUniform {
     // Linear sRGB: horizon, zenith, ground, its grid's lines, the paint on it, a road; walls, frames, glass,
     // doors, shops.
     backdrop: array<vec4f, 11>,
-    // Of the hatch: the period, px, its reciprocal times cos 45 degrees, half the width of a line, px; the
-    // grey between the lines and what is added on them.
+    // Of the hatch: the period, px, its reciprocal times cos 45 degrees, half the width of a line, px, and
+    // what is added on lines; between them the colour of infrared, and the grey of ultraviolet.
     hatch: array<vec4f, 2>,
     // Products with an apparent position give its clip coordinates x, y and w. In a conformal picture the
     // unit vectors along the baseline, up and ahead, and w: the clip coordinates of a unit of u, of a radian

@@ -94,6 +94,7 @@ pub use gpu::composer::{Composed, Composer};
 pub use gpu::device::{Gpu, adapter_name, instance_flags, named_adapter};
 pub use gpu::device_errors::{DeviceErrors, ErrorScopes};
 pub use gpu::error::{GpuError, Undrawn};
+pub use gpu::preparation::{NeededPipeline, PipelineMaker};
 pub use gpu::target::EyeTarget;
 pub use kinematics::relative_velocity::RelativeVelocity;
 pub use kinematics::spin::{MaterialPoint, Spin};

@@ -8,8 +8,9 @@ use crate::gpu::canvas::Canvas;
 use crate::gpu::device::Gpu;
 use crate::gpu::drawing::Drawing;
 use crate::gpu::error::{GpuError, Undrawn};
-use crate::gpu::mesh::MeshRenderer;
-use crate::gpu::rays::{Bounds, RayRenderer};
+use crate::gpu::mesh::{self, MeshRenderer};
+use crate::gpu::preparation::{self, NeededPipeline};
+use crate::gpu::rays::{self, Bounds, RayRenderer};
 use crate::gpu::target::EyeTarget;
 use crate::picture::hit::HitImage;
 use crate::picture::pixels::Picture;
@@ -212,6 +213,31 @@ impl Renderers {
     #[must_use]
     pub const fn gpu(&self) -> Option<&Gpu> {
         self.gpu.as_ref()
+    }
+
+    /// Whether the packets draw on this machine.
+    #[must_use]
+    pub const fn has_packets(&self) -> bool {
+        self.packets.is_some()
+    }
+
+    /// Returns the pipelines that [`Self::draw`] would have to make first, for this and for similar views:
+    /// none where the CPU draws.
+    #[must_use]
+    pub fn missing(
+        &self,
+        method: Method,
+        scene: &PreparedScene,
+        view: &View,
+        appearance: &Appearance,
+    ) -> Vec<NeededPipeline> {
+        let Some(gpu) = &self.gpu else { return Vec::new() };
+        let technique = match method.on_gpu(view) {
+            Method::Rays if gpu.has_rays() => rays::technique(gpu),
+            Method::Mesh => mesh::TECHNIQUE,
+            Method::Reference | Method::Packets | Method::Rays => return Vec::new(),
+        };
+        preparation::missing(gpu, technique, scene, view, appearance)
     }
 
     /// Draws `scene` into `target`, whose size overrides the camera's, by the GPU's substitute for `method`,

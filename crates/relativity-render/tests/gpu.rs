@@ -8,6 +8,7 @@ mod gpu_faults;
 mod gpu_mesh;
 mod gpu_models;
 mod gpu_pictures;
+mod gpu_preparation;
 mod gpu_rays;
 mod gpu_rolling_models;
 mod gpu_support;
@@ -35,6 +36,10 @@ fn main() -> ExitCode {
         ("gpu_textures", gpu_textures::TESTS),
         ("gpu_wheels", gpu_wheels::TESTS),
     ];
-    let own = [("gpu_allocations", gpu_allocations::TESTS), ("gpu_faults", gpu_faults::TESTS)];
+    let own = [
+        ("gpu_allocations", gpu_allocations::TESTS),
+        ("gpu_faults", gpu_faults::TESTS),
+        ("gpu_preparation", gpu_preparation::TESTS),
+    ];
     gpu_support::run(&shared, &own)
 }

@@ -78,11 +78,23 @@ fn a_body_in_unseen_light_stands_out_from_the_street_two_to_one() {
 }
 
 #[test]
-fn every_pixel_of_unseen_light_is_neutral() {
-    let Shown { hits, body, .. } = shown(INFRARED_NM, 600, &street(false));
-    for (pixel, hit) in body.rgba.iter().zip(&hits.hits) {
-        let [r, g, b, _] = *pixel;
-        assert!(hit.is_none() || (r == g && g == b), "{pixel:?}");
+fn ultraviolet_is_neutral_and_infrared_warm_but_far_from_any_colour_of_light() {
+    for light in [false, true] {
+        let [infrared, ultraviolet] = [INFRARED_NM, ULTRAVIOLET_NM].map(|nm| shown(nm, 600, &street(light)));
+        let of_body = |shown: &Shown| {
+            let pixels = shown.body.rgba.iter().zip(&shown.hits.hits).filter(|(_, hit)| hit.is_some());
+            pixels.map(|(pixel, _)| linear(*pixel)).collect::<Vec<_>>()
+        };
+        for [r, g, b] in of_body(&ultraviolet) {
+            assert!(r == g && g == b, "{r} {g} {b}");
+        }
+        for [r, g, b] in of_body(&infrared) {
+            // Of light that eyes see one component in three is less than a twentieth of another.
+            assert!(r >= g && g >= b && b > 0.3 * r, "{r} {g} {b}");
+        }
+        let [warm, cold] =
+            [&infrared, &ultraviolet].map(|Shown { hits, body, .. }| luminance(mean(body, hits)));
+        assert!((warm / cold - 1.0).abs() < 0.05, "{warm} beside {cold}");
     }
 }
 

@@ -98,7 +98,9 @@ pub static ACTIONS: &[Action] = &[
     action("go much faster", &[with_shift(Key::ArrowUp)], nudge_speed(10)),
     action("go much slower", &[with_shift(Key::ArrowDown)], nudge_speed(-10)),
     action("get on the bicycle and ride, or get off", &[key(Key::I)], Command::Ride(RideCommand::Toggle)),
+    action("open the street and ride", &[], Command::Show(ShowCommand::Ride)),
     action("face where you ride", &[with_shift(Key::I)], Command::Ride(RideCommand::Face)),
+    action("show how to ride, and how far you rode", &[key(Key::H)], Command::Ride(RideCommand::Remind)),
     action("show the scene as seen", &[key(Key::Num1)], geometry(Geometry::Seen)),
     action("show the scene contracted only", &[key(Key::Num2)], geometry(Geometry::Contracted)),
     action("show the scene at rest", &[key(Key::Num3)], geometry(Geometry::Rest)),
@@ -185,6 +187,11 @@ pub static ACTIONS: &[Action] = &[
         "open or close the start page: lessons and presets",
         &[key(Key::S)],
         window(WindowCommand::Toggle(Overlay::Start)),
+    ),
+    action(
+        "show all presets to choose from",
+        &[with_shift(Key::S)],
+        window(WindowCommand::Toggle(Overlay::Presets)),
     ),
     action(
         "find an action by its name",

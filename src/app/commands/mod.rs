@@ -104,12 +104,13 @@ commands_of! {
 impl Command {
     /// Whether the command sets T or the speed, which a lesson may be playing.
     const fn sets_what_runs(&self) -> bool {
-        matches!(
-            self,
+        match self {
+            Self::Ride(RideCommand::Remind) => false,
             Self::Settings(SettingsCommand::Motion(_) | SettingsCommand::NudgeSpeed(_))
-                | Self::Ride(_)
-                | Self::Playback(_)
-        )
+            | Self::Ride(_)
+            | Self::Playback(_) => true,
+            _ => false,
+        }
     }
 
     /// Whether the command changes what is shown, so that a page over the window must close.
@@ -154,7 +155,7 @@ impl State {
         if command.sets_what_runs() {
             self.stop_run();
         }
-        if command.shows_another() && self.session.overlay == Some(Overlay::Start) {
+        if command.shows_another() && self.session.overlay.is_some_and(Overlay::is_page) {
             self.session.overlay = None;
         }
     }

@@ -77,11 +77,21 @@ impl State {
             SettingsCommand::Screen(screen) => settings.screen = screen,
             SettingsCommand::Switch(switch) => self.perform_switch(switch),
             SettingsCommand::Value { name, value } => self.set_by_name(name, &value),
-            SettingsCommand::NudgeSpeed(steps) => settings.motion.speed = settings.motion.speed.nudged(steps),
+            SettingsCommand::NudgeSpeed(steps) => self.nudge_speed(steps),
             SettingsCommand::Geometry(geometry) => settings.look.geometry = geometry,
             SettingsCommand::Narrow => self.narrow(),
             SettingsCommand::Reset => self.show(self.with_defaults()),
             SettingsCommand::ResetSection(section) => self.reset(section),
+        }
+    }
+
+    /// Nudges the speed that is written large: the rider's own on a ride.
+    fn nudge_speed(&mut self, steps: i32) {
+        if !self.document.settings.ride.is_on() {
+            let speed = &mut self.document.settings.motion.speed;
+            *speed = speed.nudged(steps);
+        } else if let Some(velocity) = self.throttled(self.throttle().nudged(steps)) {
+            self.pedal_to(velocity);
         }
     }
 

@@ -15,6 +15,8 @@ pub enum ShowCommand {
     Scene(&'static str),
     /// This preset, with defaults for all else but the parts of the window.
     Preset(&'static Preset),
+    /// The street, from the saddle of a bicycle that stands there.
+    Ride,
     /// Goes this many steps on from what is shown, in the presenter's own sequence if there is one; a lesson
     /// goes on, or back.
     Next(i32),
@@ -28,6 +30,7 @@ impl State {
         match command {
             ShowCommand::Scene(name) => self.show_named_scene(name),
             ShowCommand::Preset(preset) => self.show_preset(preset),
+            ShowCommand::Ride => self.ride_through_the_street(),
             ShowCommand::Next(steps) => self.show_next(steps),
             ShowCommand::EndSequence => self.session.sequence = None,
         }

@@ -55,8 +55,8 @@ impl State {
             *chooser = None;
         } else if notice.is_some() {
             *notice = None;
-        } else if overlay.is_some() {
-            *overlay = None;
+        } else if let Some(shown) = *overlay {
+            *overlay = shown.below();
         } else if *angle_ruler != AngleRuler::Off {
             *angle_ruler = AngleRuler::Off;
         } else {

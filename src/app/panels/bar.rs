@@ -45,8 +45,13 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         }
         file_menu::show(ui, state, commands);
         scene(ui, state, commands);
-        lessons(ui, state, commands);
         let is_simple = state.document.settings.window.simple;
+        pages(
+            ui,
+            state,
+            width >= if is_simple { NARROWEST_WITH_PARTS } else { NARROWEST_WITH_ALL },
+            commands,
+        );
         if width >= NARROWEST_WITH_ALL && !is_simple {
             units(ui, state, commands);
         }
@@ -81,22 +86,30 @@ fn help(ui: &mut Ui, commands: &mut Commands) {
     }
 }
 
-/// The way to the start page and back.
-fn lessons(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    let is_open = state.session.overlay == Some(Overlay::Start);
-    let button = ui.add(Button::new("Lessons").selected(is_open));
-    let open = Command::Window(WindowCommand::Toggle(Overlay::Start));
-    let tip = with_keys("Opens the start page, with the lessons and presets.", std::slice::from_ref(&open));
-    if button.on_hover_text(tip).clicked() {
-        commands.push(open);
+/// The ways to the start page and back, and where there is room to the presets.
+fn pages(ui: &mut Ui, state: &State, has_room: bool, commands: &mut Commands) {
+    let pages = [
+        ("Lessons", Overlay::Start, "Opens the start page, with the lessons and presets."),
+        ("Presets", Overlay::Presets, "Shows all presets: ready-made scenes."),
+    ];
+    for (name, page, tip) in pages.into_iter().take(if has_room { 2 } else { 1 }) {
+        let shown = state.session.overlay.filter(|shown| shown.is_page());
+        let is_open = shown.is_some_and(|shown| (shown == Overlay::Presets) == (page == Overlay::Presets));
+        let button = ui.add(Button::new(name).selected(is_open));
+        let open = Command::Window(WindowCommand::Toggle(page));
+        let tip = with_keys(tip, std::slice::from_ref(&open));
+        if button.on_hover_text(tip).clicked() {
+            commands.push(open);
+        }
     }
 }
 
 /// Shows as many whole sentences of the preset's caption as fit in two lines, and all of it on hover.
 fn caption(ui: &mut Ui, state: &State) {
     let has_room = ui.available_width() >= NARROWEST_CAPTION;
-    // A preset says nothing of own data.
-    let is_told = has_room && state.session.data.is_none();
+    // On a page nothing of the preset is seen, and of own data it says nothing.
+    let is_page = state.session.overlay.is_some_and(Overlay::is_page);
+    let is_told = has_room && !is_page && state.session.data.is_none();
     let Some(preset) = state.document.preset.filter(|_| is_told) else { return };
     let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };

@@ -9,7 +9,6 @@ use crate::app::state::State;
 use crate::app::views::window_layout::Beside;
 use crate::app::widgets::fitted;
 use crate::app::widgets::theme;
-use crate::number_text;
 
 /// Least size of writing before an audience, as a part of the window's height.
 pub const LEAST_SHARE: f32 = 0.03;
@@ -117,15 +116,12 @@ fn id(ctx: &Context) -> Id {
 /// beside it no moment is described, and the views keep that room.
 pub fn preset(ui: &mut Ui, state: &State, beside: Beside) {
     let size = TextStyle::Body.resolve(ui.style()).size;
-    let speed = state.speed();
-    let beta = number_text::beta(&speed);
-    let text = match state.measures().speed(&speed) {
-        Some(speed) => format!("β = {beta}   {speed}"),
-        None => format!("β = {beta}"),
-    };
     let strong = ui.visuals().strong_text_color();
     let write = |ui: &mut Ui, text: RichText| ui.add(Label::new(text).selectable(false));
-    write(ui, RichText::new(text).size(SPEED * size).color(strong));
+    write(ui, RichText::new(state.told_speed_text()).size(SPEED * size).color(strong));
+    if let Some(others) = state.others_speed_text() {
+        write(ui, RichText::new(others));
+    }
     if beside != Beside::Fit {
         // A number is not parted from its unit, nor from what it is the value of.
         let sentence = state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");

@@ -137,7 +137,8 @@ fn open(
         if let Some(render_state) = &cc.wgpu_render_state {
             painting::install(&cc.egui_ctx, render_state);
         }
-        let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
+        let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state);
+        let app = app.preparing_in_background(&cc.egui_ctx).kept_by(keeper);
         Ok(Box::new(RecoverableApp::new(app, state_slot)) as Box<dyn eframe::App>)
     };
     recovery::guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))

@@ -49,6 +49,8 @@ use crate::app::tools::watch::Watch;
 use crate::app::views::corrected::Corrected;
 use crate::app::views::examination::Examination;
 use crate::app::views::eyes::{Chosen, EyePictures};
+use crate::app::views::fade::Fade;
+use crate::app::views::start_picture::StartPicture;
 use crate::app::views::stereoscope::viewer::Stereoscope;
 use crate::app::views::thumbnails::Thumbnails;
 use crate::app::widgets::theme;
@@ -72,6 +74,7 @@ pub struct App {
     /// On which screen the projector's window is.
     screen: Screen,
     full_screen: FullScreen,
+    fade: Fade,
     /// The stereoscope, while the window is its screen.
     stereoscope: Option<Stereoscope>,
     text_scale: f32,
@@ -79,13 +82,19 @@ pub struct App {
     reader: Reader,
     saver: Saver,
     thumbnails: Thumbnails,
+    /// The moving picture of the start page, while that is shown.
+    start_picture: Option<StartPicture>,
     watch: Option<Watch>,
+    /// Commands that wait until what was asked for before is shown.
+    waiting: Vec<Command>,
     /// Writes what outlasts the window; none where nothing does.
     keeper: Option<Keeper>,
 }
 
 /// The name of the window.
 const TITLE: &str = "Gamow";
+/// Greatest step of T in one frame, seconds of the wall clock.
+const LONGEST_STEP: f64 = 0.25;
 /// Margin around the bar, the controls and the readout, points.
 const INSET: egui::Vec2 = egui::vec2(theme::GAP, theme::GAP / 2.0);
 
@@ -107,15 +116,25 @@ impl App {
             projected: None,
             screen: Screen::default(),
             full_screen: FullScreen::default(),
+            fade: Fade::default(),
             stereoscope: None,
             text_scale: 1.0,
             chooser: Chooser::default(),
             reader: Reader::new(ctx.clone()),
             saver: Saver::default(),
             thumbnails: Thumbnails::default(),
+            start_picture: None,
             watch: None,
+            waiting: Vec::new(),
             keeper: None,
         }
+    }
+
+    /// Has the pipelines of pictures made in the background, so that the window never waits for them.
+    #[must_use]
+    pub fn preparing_in_background(mut self, ctx: &egui::Context) -> Self {
+        self.eyes.iter_mut().for_each(|eyes| eyes.prepare_in_background(ctx));
+        self
     }
 
     /// Has the `keeper` write what outlasts the window.
@@ -154,6 +173,12 @@ impl App {
         &self.thumbnails
     }
 
+    /// Returns the number of pictures of the start page drawn since that was opened.
+    #[must_use]
+    pub fn start_picture_drawings(&self) -> u64 {
+        self.start_picture.as_ref().map_or(0, StartPicture::drawings)
+    }
+
     /// Returns the contents of the shown plot tab as SVG.
     #[must_use]
     pub fn plots_svg(&mut self) -> String {
@@ -187,6 +212,13 @@ impl App {
             && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
             && !self.examination.as_ref().is_some_and(Examination::is_pending)
             && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
+            && self.fade.is_settled()
+    }
+
+    /// Whether pictures of before are still on their way out.
+    #[must_use]
+    pub const fn is_fading(&self) -> bool {
+        !self.fade.is_settled()
     }
 
     /// Whether a file is being read that will be shown.
@@ -248,7 +280,9 @@ impl eframe::App for App {
         if let Some(keeper) = &self.keeper {
             self.state.keep_in(keeper, ctx);
         }
-        let step = f64::from(ctx.input(|input| input.stable_dt));
+        // T waits with a picture; and what took longer than this was not seen.
+        let longest = if self.state.frame.is_getting_ready { 0.0 } else { LONGEST_STEP };
+        let step = f64::from(ctx.input(|input| input.stable_dt)).min(longest);
         let pushed = keys::held(ctx, &self.state);
         self.state.advance(step, pushed.is_some());
         if let Some(direction) = pushed {

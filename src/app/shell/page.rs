@@ -8,6 +8,7 @@ use crate::app::shell::{App, INSET};
 use crate::app::state::lesson::Running;
 use crate::app::state::stage::WindowPart;
 use crate::app::views::panes::PaneContent;
+use crate::app::views::start_picture::StartPicture;
 use crate::app::views::window_layout::{self, LessonPart, WindowLayout};
 use crate::app::widgets::theme;
 use crate::lesson::Course;
@@ -25,11 +26,14 @@ impl App {
             self.show_panel(ui, "bar", bar.shrink2(INSET), panels::bar::show);
         }
         let mut thumbnails = std::mem::take(&mut self.thumbnails);
+        let new = || StartPicture::new(ui.ctx(), self.eyes.as_ref()?.another(ui.ctx()));
+        let mut head = self.start_picture.take().or_else(new);
         self.show_panel(ui, "start", page, |ui, state, commands| {
-            panels::start::show(ui, state, &mut thumbnails, commands);
+            let pictures = panels::start::Pictures { head: head.as_mut(), cards: &mut thumbnails };
+            panels::start::show(ui, state, pictures, commands);
         });
         thumbnails.go_on(ui.ctx());
-        self.thumbnails = thumbnails;
+        (self.thumbnails, self.start_picture) = (thumbnails, head);
         self.message(ui.ctx(), page, area);
     }
 

@@ -59,9 +59,14 @@ impl App {
 
     /// Draws all `panes`, the line that joins the strips of a panorama, and the button that offers one.
     pub(in crate::app) fn paint_all(&mut self, ui: &mut Ui, panes: &[Pane]) {
+        let is_left = self.fade.begins(ui.ctx(), &self.state, panes.len());
+        if let Some(eyes) = self.eyes.as_mut().filter(|_| is_left) {
+            eyes.set_aside();
+        }
         for &pane in panes {
             self.paint(ui, pane);
         }
+        self.paint_fade(ui, panes);
         let first = panes
             .first()
             .and_then(|pane| self.eye_panes(ui, pane).into_iter().find(EyePane::takes_the_mouse));
@@ -87,6 +92,16 @@ impl App {
         self.show_panel(ui, "fusing", strip, |ui, state, commands| {
             panels::fusing::offer(ui, state, strip, commands);
         });
+    }
+
+    /// Draws what is left of the last pictures over those in `panes`.
+    fn paint_fade(&mut self, ui: &Ui, panes: &[Pane]) {
+        let area = panes.iter().map(|pane| pane.rect).reduce(Rect::union).unwrap_or(Rect::NOTHING);
+        if self.fade.paint(ui, area)
+            && let Some(eyes) = &mut self.eyes
+        {
+            eyes.forget_set_aside();
+        }
     }
 
     /// Draws the contents of `pane`.
@@ -143,6 +158,7 @@ impl App {
     /// Draws `pane` below its `title`: the up-to-date picture, how far it is off, and the markers.
     fn paint_eye(&mut self, ui: &Ui, pane: EyePane, title: &str) {
         let (picture, request) = self.drawn_picture(ui, pane);
+        self.note_shown(pane.rect, picture);
         let heat_map = self.heat_map(ui, pane, &request);
         panels::views::paint(ui, &self.state, pane, title, Painted { picture, heat_map });
     }
@@ -155,7 +171,21 @@ impl App {
     ) -> (Option<ShownPicture>, crate::app::views::eyes::Request) {
         let request = self.request(ui, pane);
         let picture = self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.index(), &request));
+        self.note_waiting();
         (picture, request)
+    }
+
+    /// Notes that a picture is shown in `rect`, which it will leave.
+    fn note_shown(&mut self, rect: Rect, picture: Option<ShownPicture>) {
+        if let Some(ShownPicture { texture, .. }) = picture {
+            self.fade.note(rect, texture);
+        }
+    }
+
+    /// Notes whether a picture of this frame waits for what draws it.
+    fn note_waiting(&mut self) {
+        let is_waiting = self.eyes.as_mut().is_some_and(EyePictures::take_waiting);
+        self.state.frame_mut().is_getting_ready |= is_waiting;
     }
 
     /// Draws the up-to-date picture in `pane` alone.
@@ -171,6 +201,7 @@ impl App {
             let request = self.request(ui, pane);
             let picture =
                 self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
+            self.note_waiting();
             let heat_map = self.heat_map(ui, pane, &request);
             return panels::views::paint_both(ui, &self.state, &[pane], picture, &[heat_map]);
         };
@@ -179,6 +210,8 @@ impl App {
         let [first, second] = [0, 1].map(|i: usize| (panes[i].eye.index(), &requests[i]));
         let picture =
             self.eyes.as_mut().and_then(|eyes| eyes.composed(ui.ctx(), composition, [first, second]));
+        self.note_waiting();
+        self.note_shown(panes[0].rect.union(panes[1].rect), picture);
         let heat_maps = [0, 1].map(|i: usize| {
             if panes[i].takes_the_mouse() { self.heat_map(ui, panes[i], &requests[i]) } else { None }
         });

@@ -87,7 +87,7 @@ impl App {
     /// Shows the views, and a lesson's words with the panel beside them, in the window of this `ui`.
     fn show_projected(&mut self, ui: &mut Ui) {
         if self.projected.is_none() {
-            self.projected = self.eyes.as_ref().map(EyePictures::another);
+            self.projected = self.eyes.as_ref().map(|eyes| eyes.another(ui.ctx()));
         }
         name_window(ui.ctx(), TITLE);
         let area = ui.max_rect();
@@ -107,6 +107,7 @@ impl App {
         let (size, examination) = (self.state.frame.picture_size, self.examination.take());
         let choices = self.state.frame.choices.clone();
         std::mem::swap(&mut self.eyes, &mut self.projected);
+        let fade = std::mem::take(&mut self.fade);
         self.measure_pictures(ui, &panes);
         self.choose_methods(ui, &panes);
         for &pane in &panes {
@@ -115,7 +116,7 @@ impl App {
         self.paint_all(ui, &panes);
         self.forget_composed(&panes);
         std::mem::swap(&mut self.eyes, &mut self.projected);
-        self.examination = examination;
+        (self.examination, self.fade) = (examination, fade);
         self.state.frame_mut().picture_size = size;
         self.state.frame_mut().choices = choices;
         if let Some((words, lesson)) = lesson {

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
+use gamow_platform::motion;
 
-use crate::app::commands::{Command, FileCommand, actions};
+use crate::app::commands::{Command, FileCommand, ShowCommand, actions};
 use crate::app::panels;
 use crate::app::panels::Commands;
 use crate::app::shell::{App, TITLE, dropped};
@@ -15,6 +16,7 @@ use crate::app::state::overlay::Overlay;
 use crate::app::tools::watch::Watch;
 use crate::app::views::eyes::EyePictures;
 use crate::app::views::panes::Arrangement;
+use crate::app::views::start_picture::StartPicture;
 use crate::app::widgets::{self, focus, theme};
 
 /// Enlargement of the start page's text for an audience.
@@ -62,8 +64,10 @@ impl App {
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         widgets::name_window(&ctx, TITLE);
-        ctx.set_theme(theme::preference(self.state.document.settings.window.theme));
-        let mut commands = actions::asked(&ctx, &self.state);
+        let window = self.state.document.settings.window;
+        ctx.set_theme(theme::preference(window.theme));
+        theme::set_animations(&ctx, window.animations && !motion::is_reduced());
+        let mut commands = self.next_asked(&ctx);
         if self.shows_start() {
             commands.retain(panels::start::lets_through);
         }
@@ -89,6 +93,9 @@ impl App {
         if !self.state.session.stage.stereoscope {
             self.stereoscope = None;
         }
+        if !self.shows_start() {
+            self.start_picture.take().into_iter().for_each(StartPicture::forget);
+        }
         if self.shows_start() {
             self.show_start(ui, area);
         } else if self.state.session.stage.stereoscope {
@@ -105,6 +112,23 @@ impl App {
         if self.state.scratch.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
             ctx.request_repaint();
         }
+    }
+
+    /// Returns the commands of keys for this frame. A clicker's press waits until what the one before asked
+    /// for is shown, with all keys after it: so nothing is passed over unseen.
+    fn next_asked(&mut self, ctx: &egui::Context) -> Commands {
+        let is_getting_ready = std::mem::take(&mut self.state.frame_mut().is_getting_ready);
+        let mut commands = std::mem::take(&mut self.waiting);
+        commands.extend(actions::asked(ctx, &self.state));
+        let is_next = |command: &Command| matches!(command, Command::Show(ShowCommand::Next(_)));
+        let mut nexts = (0..commands.len()).filter(|&place| is_next(&commands[place]));
+        let first = nexts.next();
+        let waiting = if is_getting_ready { first } else { nexts.next() };
+        if let Some(place) = waiting {
+            self.waiting = commands.split_off(place);
+            ctx.request_repaint();
+        }
+        commands
     }
 
     /// Says once what the graphics device could not do; closes the window that has lost it.
@@ -127,7 +151,7 @@ impl App {
         let full_screen = self.full_screen.update(ctx, session.stage.full_screen);
         let scale = match session.stage.is_presented() {
             // Its cards have pictures, and are to be in sight.
-            true if session.overlay == Some(Overlay::Start) => PRESENTED_START_SCALE,
+            true if session.overlay.is_some_and(Overlay::is_page) => PRESENTED_START_SCALE,
             true => panels::presented::scale(ctx),
             false => 1.0,
         };
@@ -144,7 +168,7 @@ impl App {
 
     /// Whether the start page takes the place of the parts.
     fn shows_start(&self) -> bool {
-        self.state.session.overlay == Some(Overlay::Start)
+        self.state.session.overlay.is_some_and(Overlay::is_page)
     }
 
     /// Shows the message, if there is one, at the top of `room`.

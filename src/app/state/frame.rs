@@ -23,6 +23,8 @@ pub struct Frame {
     pub shows_map: bool,
     /// Step of T; 0 while T is paused.
     pub step: f64,
+    /// Whether a picture waits until what draws it is made; T waits with it.
+    pub is_getting_ready: bool,
     /// Looks of the eyes, in the first picture of one eye and in the second.
     pub(in crate::app) looks: [Option<Looked>; 2],
 }
@@ -65,6 +67,7 @@ impl Frame {
             choices: Vec::new(),
             shows_map: false,
             step: 0.0,
+            is_getting_ready: false,
             looks: [None, None],
         }
     }

@@ -7,6 +7,27 @@ pub enum Overlay {
     Help,
     /// The command palette.
     Palette,
-    /// The start page: lessons and presets.
+    /// The start page: the ways in, and the chapters.
     Start,
+    /// The lessons of the chapter with this number, from 0.
+    Chapter(usize),
+    /// All presets.
+    Presets,
+}
+
+impl Overlay {
+    /// Whether the overlay is a page in place of the parts of the window.
+    #[must_use]
+    pub const fn is_page(self) -> bool {
+        matches!(self, Self::Start | Self::Chapter(_) | Self::Presets)
+    }
+
+    /// Returns the overlay below this one, to which Escape leads back.
+    #[must_use]
+    pub const fn below(self) -> Option<Self> {
+        match self {
+            Self::Chapter(_) | Self::Presets => Some(Self::Start),
+            Self::Help | Self::Palette | Self::Start => None,
+        }
+    }
 }

@@ -11,6 +11,7 @@ pub mod graphics;
 pub(in crate::app) mod icon;
 pub(in crate::app) mod image;
 pub mod painting;
+pub(in crate::app) mod preparing;
 mod speed_slider;
 pub(in crate::app) mod waker;
 pub(in crate::app) mod watch;

@@ -205,6 +205,13 @@ fn face(marker: Pos2, view: Rect) -> (Pos2, f32) {
     (marker + vec2(x, y), radius)
 }
 
+/// The place of the dial beside a `marker` in the `view`.
+#[must_use]
+pub fn place(marker: Pos2, view: Rect) -> Rect {
+    let (centre, radius) = face(marker, view);
+    Rect::from_center_size(centre, Vec2::splat(2.0 * radius))
+}
+
 #[cfg(test)]
 mod tests {
     use relativity_render::Geometry;

@@ -1,7 +1,8 @@
-//! Arrows at the edge of a view to things beyond it, each with a name and the angle to turn by.
+//! Arrows at the edge of a view to things beyond it, each with a name and the side where it is.
 
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, Vec2, Visuals, vec2};
 use glam::DVec3;
+use relativity_core::math;
 use relativity_render::{Camera, Motion};
 
 use crate::app::state::State;
@@ -14,12 +15,59 @@ use crate::plot::LabelPlaces;
 pub struct OffscreenArrow {
     /// Name of the thing.
     pub name: String,
-    /// From the middle of the view, degrees, 0 to 180.
-    pub degrees: f64,
+    /// Side on which the thing is, as one looks.
+    pub side: Side,
     /// Unit vector in the picture, right and down.
     pub towards: Vec2,
     /// Number of the followed point, if it is one.
     pub point: Option<usize>,
+}
+
+/// A side of whoever looks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// To the left.
+    Left,
+    /// To the right.
+    Right,
+    /// Above.
+    Above,
+    /// Below.
+    Below,
+    /// Behind, by more than 45 degrees from either side.
+    Behind,
+}
+
+impl Side {
+    /// The side on which something is that is this far to the right, up and ahead, out of a picture that is
+    /// this many times as high as wide.
+    fn new([right, up, ahead]: [f64; 3], aspect: f64) -> Self {
+        // Ahead, it is beyond the edge of the picture that it is further out of.
+        let level = if ahead > 0.0 { aspect * right.abs() } else { math::hypot(right, ahead) };
+        match () {
+            () if up.abs() > level => {
+                if up > 0.0 {
+                    Self::Above
+                } else {
+                    Self::Below
+                }
+            }
+            () if -ahead > right.abs() => Self::Behind,
+            () if right > 0.0 => Self::Right,
+            () => Self::Left,
+        }
+    }
+
+    /// Returns the side in words.
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Left => "to your left",
+            Self::Right => "to your right",
+            Self::Above => "above you",
+            Self::Below => "below you",
+            Self::Behind => "behind you",
+        }
+    }
 }
 
 impl OffscreenArrow {
@@ -39,15 +87,14 @@ impl OffscreenArrow {
         };
         // What is right behind is as near on either side.
         let towards = DVec3::new(right, -up, 0.0).try_normalize().unwrap_or(DVec3::X);
-        let degrees = direction.angle_between(middle).to_degrees();
-        Self { name, degrees, towards: vec2(towards.x as f32, towards.y as f32), point }
+        let side = Side::new([axes.right, axes.up, middle].map(|axis| direction.dot(axis)), height / width);
+        Self { name, side, towards: vec2(towards.x as f32, towards.y as f32), point }
     }
 
     /// Returns the arrow in words.
     #[must_use]
     pub fn text(&self) -> String {
-        let whole = self.degrees.round();
-        format!("{} {whole} degree{}", self.name, if whole == 1.0 { "" } else { "s" })
+        format!("{}, {}", self.name, self.side.text())
     }
 }
 
@@ -75,7 +122,7 @@ impl State {
         let framing = outline.framing().filter(|_| outline.is_out_of(camera))?;
         let first = self.document.prepared.subject().next()?.bodies.start;
         let group = self.document.prepared.group_of(first);
-        let name = self.document.scene.groups.get(group)?.name.clone();
+        let name = self.document.scene.name_of_group(group)?.to_owned();
         Some(OffscreenArrow::new(name, camera, framing.gaze.axes().forward, None))
     }
 }
@@ -158,8 +205,15 @@ mod tests {
     }
 
     #[test]
-    fn an_arrow_points_to_the_rider_and_tells_how_far_to_turn() {
-        for turned in [40.0, -70.0, 150.0] {
+    fn an_arrow_names_what_it_points_to_and_its_side() {
+        for (turned, side) in [
+            (40.0, "to your right"),
+            (-70.0, "to your left"),
+            (100.0, "to your right"),
+            (-125.0, "to your left"),
+            (150.0, "behind you"),
+            (-170.0, "behind you"),
+        ] {
             let mut state = looking([90.0, 0.0], 1.1);
             // Across the gaze, so that an angle about the vertical is one from the middle.
             state.document.settings.look.projection = ProjectionChoice::Gaze;
@@ -168,15 +222,40 @@ mod tests {
                 state.gaze()
             };
             let azimuth = whole.azimuth.to_degrees() + turned;
-            state.document.settings.look.gaze = GazeChoice::Fixed([azimuth, whole.elevation.to_degrees()]);
+            state.document.settings.look.gaze = GazeChoice::Fixed([azimuth, 0.0]);
             let [beyond] = state.offscreen_arrows(Eye::Left, SIZE).try_into().expect("one arrow");
-            // On the circle of that elevation, haversine of the angle.
-            let half = (0.5 * turned.to_radians()).sin().abs() * whole.elevation.cos();
-            assert!((beyond.degrees - (2.0 * half.asin()).to_degrees()).abs() < 1e-9, "{beyond:?}");
             // Turned to the left it lies to the right.
             assert_eq!(beyond.towards.x > 0.0, turned > 0.0, "{beyond:?}");
-            let words = format!("Gamow's cyclist {} degrees", beyond.degrees.round());
-            assert_eq!((beyond.text(), beyond.point), (words, None));
+            assert_eq!((beyond.text(), beyond.point), (format!("Gamow's cyclist, {side}"), None));
+        }
+    }
+
+    #[test]
+    fn what_is_above_or_below_is_said_to_be_there() {
+        for (place, side) in [
+            ([0.1, 0.9, 0.4], Side::Above),
+            ([0.1, -0.9, 0.4], Side::Below),
+            ([0.1, 0.9, -0.4], Side::Above),
+            ([-0.6, 0.5, 0.6], Side::Left),
+            ([0.3, 0.4, -0.8], Side::Behind),
+            ([0.8, 0.4, -0.3], Side::Right),
+        ] {
+            assert_eq!(Side::new(place, 1.0), side, "{place:?}");
+        }
+        // Out of a low picture at its upper edge, out of an upright one at its right edge.
+        assert_eq!([0.3, 2.0].map(|aspect| Side::new([0.5, 0.4, 0.7], aspect)), [Side::Above, Side::Right]);
+    }
+
+    #[test]
+    fn a_cyclist_on_a_street_and_a_riding_rod_have_their_own_names() {
+        for (scene, name) in [("street", "cyclist"), ("twins", "riding rod"), ("cube", "die")] {
+            let mut settings = Settings { scene: scene.to_owned(), time: Some(0.0), ..Settings::default() };
+            settings.look.fov = FieldOfView(Some(40.0));
+            let mut state = State::open(settings).expect("a preset");
+            let azimuth = state.gaze().azimuth.to_degrees() + 180.0;
+            state.document.settings.look.gaze = GazeChoice::Fixed([azimuth, 0.0]);
+            let arrows = state.offscreen_arrows(Eye::Left, SIZE);
+            assert_eq!(arrows[0].text(), format!("{name}, behind you"));
         }
     }
 
@@ -187,7 +266,7 @@ mod tests {
         state.document.settings.look.fov = FieldOfView(Some(8.0));
         let [beyond] = state.offscreen_arrows(Eye::Left, SIZE).try_into().expect("one arrow");
         assert_eq!(beyond.point, Some(1));
-        assert!(beyond.text().starts_with("front tyre "), "{}", beyond.text());
+        assert!(beyond.text().starts_with("front tyre, "), "{}", beyond.text());
     }
 
     #[test]

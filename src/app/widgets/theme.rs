@@ -129,6 +129,14 @@ pub fn scale_text(ctx: &egui::Context, scale: f32) {
     ctx.all_styles_mut(|style| set_body_size(style, scale * BODY_SIZE));
 }
 
+/// Has the toolkit's parts move, or change at once.
+pub fn set_animations(ctx: &egui::Context, is_on: bool) {
+    let time = if is_on { egui::Style::default().animation_time } else { 0.0 };
+    if ctx.global_style().animation_time != time {
+        ctx.all_styles_mut(|style| style.animation_time = time);
+    }
+}
+
 /// Makes all writing of this `style` as large as suits most writing of this `size`, points.
 pub fn set_body_size(style: &mut egui::Style, size: f32) {
     let size = |points: f32, family| FontId::new(size / BODY_SIZE * points, family);

@@ -9,11 +9,14 @@ use super::wrong::Wrong;
 pub struct FrontMatter {
     pub title: String,
     pub order: u32,
+    pub chapter: String,
     pub concept: String,
     pub minutes: u32,
 }
 
-const KEYS: [&str; 4] = ["title", "order", "concept", "minutes"];
+const KEYS: [&str; 5] = ["title", "order", "chapter", "concept", "minutes"];
+/// The chapter of a lesson that names none.
+const OWN_CHAPTER: &str = "Your own lessons";
 /// Line before and after the front matter.
 pub const FENCE: &str = "---";
 /// A lesson that does not say its place comes after those that do.
@@ -27,7 +30,13 @@ impl FrontMatter {
         if lines.next().is_none_or(|(_, line)| line.trim_end() != FENCE) {
             return Err((1, begin));
         }
-        let mut front = Self { title: String::new(), order: LAST, concept: String::new(), minutes: 10 };
+        let mut front = Self {
+            title: String::new(),
+            order: LAST,
+            chapter: OWN_CHAPTER.to_owned(),
+            concept: String::new(),
+            minutes: 10,
+        };
         for (number, line) in lines {
             let (line, number) = (line.trim(), number + 1);
             if line == FENCE {
@@ -65,6 +74,8 @@ impl FrontMatter {
         check_name(key, value)?;
         match key {
             "title" => value.clone_into(&mut self.title),
+            "chapter" if value.is_empty() => OWN_CHAPTER.clone_into(&mut self.chapter),
+            "chapter" => value.clone_into(&mut self.chapter),
             "concept" => value.clone_into(&mut self.concept),
             "order" => self.order = whole(value)?,
             "minutes" => self.minutes = whole(value)?,

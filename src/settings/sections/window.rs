@@ -96,6 +96,10 @@ pub struct WindowSettings {
     /// On a ride, darkens the edges of the views while the head turns: movement there makes people ill.
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub vignette: OnOff,
+    /// Pictures fade from one preset or layout to the next, and parts of the window move. In a page nothing
+    /// does where the system asks for less motion.
+    #[arg(long, value_parser = switch, value_name = "on|off")]
+    pub animations: OnOff,
     /// Units of lengths and times in the window and in saved plots. Data, states, flags and the records in
     /// pictures stay in the scene's own unit, with c = 1.
     #[arg(long, value_enum)]
@@ -135,6 +139,7 @@ impl Default for WindowSettings {
             ruler: true,
             resting: false,
             vignette: false,
+            animations: true,
             units: Units::Natural,
             theme: Theme::Light,
         }

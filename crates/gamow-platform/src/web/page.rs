@@ -118,6 +118,19 @@ pub fn screen_sides() -> Option<[f32; 2]> {
     (width >= 1.0 && height >= 1.0).then_some([width.max(height), width.min(height)])
 }
 
+/// Whether the system asks for less motion.
+#[must_use]
+pub fn is_motion_reduced() -> bool {
+    let is_so = || {
+        let window = window()?;
+        let asked = js_sys::Reflect::get(&window, &"matchMedia".into()).ok()?;
+        let asked = asked.dyn_into::<js_sys::Function>().ok()?;
+        let answer = asked.call1(&window, &"(prefers-reduced-motion: reduce)".into()).ok()?;
+        js_sys::Reflect::get(&answer, &"matches".into()).ok()?.as_bool()
+    };
+    is_so().unwrap_or(false)
+}
+
 /// Returns the numbers that the page keeps in this attribute, with a space between two.
 fn numbers<const N: usize>(attribute: &str) -> Option<[f64; N]> {
     let text = root()?.get_attribute(attribute)?;

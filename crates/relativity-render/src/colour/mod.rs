@@ -2,16 +2,17 @@
 //!
 //! # A choice, and its name: spectral hue at equal brightness
 //!
-//! Monochromatic light lies outside sRGB. It is shown by the most saturated colour of sRGB that has its hue
-//! (in IPT, see `ipt.rs`), whose largest component is 1. So the wavelength decides the hue alone, while
+//! Monochromatic light lies outside sRGB. It moves towards neutral at its hue (in IPT, see `ipt.rs`), until a
+//! screen can show it, and its largest component is 1. So the wavelength decides the hue alone, while
 //! brightness comes from D^n and the exposure: through the luminous efficiency 700 nm would be all but black
 //! beside 550 nm, and the paper's red cyclist with it. Towards the ends of the visible range the colour
-//! fades, to exactly black at `VISIBLE_NM`.
+//! fades, to exactly black at `VISIBLE_NM`. From one nanometre to the next no component changes by more than
+//! 10 of 255 levels (`tests/reference_colour.rs`), so that no seam shows where none is in the light.
 //!
 //! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence:
 //! `assets/README.md`); IEC 61966-2-1:1999 (sRGB).
 
-mod ipt;
+pub(crate) mod ipt;
 pub mod planck;
 pub mod spectrum;
 
@@ -22,7 +23,8 @@ use relativity_core::math::{atan, log2, powf};
 
 use spectrum::VISIBLE_NM;
 
-/// Visible light fades in from black at the first of these to full at the second, nm.
+/// Visible light fades in from black at the first of these to full at the second, nm, smoothly as a screen
+/// shows it.
 const VIOLET_END_NM: [f64; 2] = [VISIBLE_NM[0], 420.0];
 /// Visible light fades from full at the first of these to black at the second, nm. The paper's 700 nm
 /// is full red.
@@ -43,14 +45,13 @@ fn row(line: &str) -> [f64; 3] {
     std::array::from_fn(|_| values.next().expect("a row holds three functions"))
 }
 
-/// Colours at full brightness per nm, of which the nearest is taken: between two on either side of a corner
-/// of sRGB, such as blue at 454 nm, the straight line has other hues.
+/// Colours at full brightness per nm, of which the nearest is taken.
 const HUES_PER_NM: u32 = 16;
 /// The colours of the table's wavelengths at full brightness.
 static HUES: LazyLock<Vec<[f64; 3]>> = LazyLock::new(|| {
     let steps = (CIE_1931.len() as u32 - 1) * HUES_PER_NM;
     let nm = |step| FIRST_NM + f64::from(step) / f64::from(HUES_PER_NM);
-    (0..=steps).filter_map(|step| Some(ipt::purest_srgb(ipt::hue(colour_matching(nm(step))?)))).collect()
+    (0..=steps).filter_map(|step| Some(ipt::in_gamut(colour_matching(nm(step))?))).collect()
 });
 
 /// The CIE 1931 colour-matching functions (x, y, z) at `wavelength_nm`, linear between the table's
@@ -70,7 +71,8 @@ pub fn colour_matching(wavelength_nm: f64) -> Option<[f64; 3]> {
 /// outside 380 nm to 780 nm.
 #[must_use]
 pub fn linear_srgb(wavelength_nm: f64) -> [f64; 3] {
-    spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm))
+    let brightness = srgb_decoded(visibility(wavelength_nm));
+    spectral_hue(wavelength_nm).map(|part| part * brightness)
 }
 
 /// Returns the share of light of `wavelength_nm` that eyes do not see, with the sign of `light/hatch.rs`: 1
@@ -145,7 +147,7 @@ fn spectral_hue(wavelength_nm: f64) -> [f64; 3] {
     if place < 0.0 { [0.0; 3] } else { HUES.get(place as usize).copied().unwrap_or_default() }
 }
 
-/// Share of the full colour left at the ends of the visible range, 0 to 1.
+/// Share of the full colour left at the ends of the visible range, as a screen's levels go, 0 to 1.
 fn visibility(wavelength_nm: f64) -> f64 {
     smoothstep(VIOLET_END_NM, wavelength_nm) * (1.0 - smoothstep(RED_END_NM, wavelength_nm))
 }
@@ -153,13 +155,4 @@ fn visibility(wavelength_nm: f64) -> f64 {
 fn smoothstep([start, end]: [f64; 2], x: f64) -> f64 {
     let t = ((x - start) / (end - start)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
-}
-
-/// Linear sRGB of a CIE XYZ colour; components may be negative.
-pub(crate) fn srgb_from_xyz([x, y, z]: [f64; 3]) -> [f64; 3] {
-    [
-        3.240_454_2 * x - 1.537_138_5 * y - 0.498_531_4 * z,
-        -0.969_266_0 * x + 1.876_010_8 * y + 0.041_556_0 * z,
-        0.055_643_4 * x - 0.204_025_9 * y + 1.057_225_2 * z,
-    ]
 }

@@ -10,7 +10,7 @@ use relativity_core::math::{exp, exp_m1, exp2, ln, log2};
 
 use super::ipt;
 use super::spectrum::VISIBLE_NM;
-use super::{colour_matching, luminance, mix, srgb_from_xyz};
+use super::{colour_matching, luminance, mix};
 
 /// Temperature of daylight (CIE D65), K.
 pub const DAYLIGHT_KELVIN: f64 = 6504.0;
@@ -30,7 +30,8 @@ const BAND_WIDTH: f64 = 0.12;
 /// Light of a broad spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Broad {
-    /// Linear sRGB, the largest component 1. Outside sRGB it is the most saturated colour of the same hue.
+    /// Linear sRGB, the largest component 1. Where a screen cannot show it, the purest colour shown of its
+    /// hue.
     pub hue: [f64; 3],
     /// log2 of the largest component, in units in which the luminance of a spectrum is a plain sum over nm.
     pub log2_level: f64,
@@ -47,7 +48,7 @@ impl Broad {
             let share = exp(power - largest);
             std::array::from_fn(|i| sum[i] + share * matching[i])
         });
-        let hue = in_gamut(xyz);
+        let hue = ipt::in_gamut(xyz);
         Self { hue, log2_level: log2(xyz[1] / luminance(hue)) + largest / std::f64::consts::LN_2 }
     }
 
@@ -55,16 +56,6 @@ impl Broad {
         let hue = mix(self.hue, next.hue, t);
         Self { hue, log2_level: self.log2_level + (next.log2_level - self.log2_level) * t }
     }
-}
-
-/// The linear sRGB colour of this `xyz`, the largest component 1; of one outside sRGB the purest of its hue.
-fn in_gamut(xyz: [f64; 3]) -> [f64; 3] {
-    let linear = srgb_from_xyz(xyz);
-    if linear.into_iter().any(|part| part < 0.0) {
-        return ipt::purest_srgb(ipt::hue(xyz));
-    }
-    let largest = linear.into_iter().fold(0.0, f64::max);
-    linear.map(|part| part / largest)
 }
 
 /// A black body at the temperature 2^`log2_kelvin`.

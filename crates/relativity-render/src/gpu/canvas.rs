@@ -8,14 +8,16 @@ use super::device::Gpu;
 use super::drawing::{Drawing, Shot};
 use super::error::GpuError;
 use super::models::Models;
+use super::pipelines::Technique;
 use super::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
 use crate::frame::hit_numbers::HitNumbers;
+use crate::frame::pipeline_key::Key;
 use crate::frame::uniform::FrameUniform;
 use crate::light::palette;
 use crate::picture::hit::HitImage;
 use crate::scene::prepared_scene::PreparedScene;
 use crate::shaders::BACKDROP;
-use crate::street::backdrop::{BackdropPart, LastPass, TILES};
+use crate::street::backdrop::{LastPass, TILES};
 use crate::view::effects::Constant;
 use crate::view::{Appearance, View};
 
@@ -44,18 +46,12 @@ impl Canvas {
         self.models.load(gpu, scene)
     }
 
-    /// The pipeline that draws `part` of the last pass of pictures like that of `frame`.
-    fn last_pass(&self, gpu: &Gpu, frame: &FrameUniform, part: BackdropPart) -> wgpu::RenderPipeline {
-        let pass = LastPass {
-            part,
-            street: frame.street(),
-            is_conformal: frame.is_conformal(),
-            is_oblique: frame.is_street_oblique(),
-        };
+    /// Returns the pipeline that draws a part of the last pass.
+    pub fn last_pass(&self, gpu: &Gpu, pass: LastPass) -> wgpu::RenderPipeline {
         gpu.cache.last_passes.get(pass, || {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
-            last_pass(&gpu.device, &module, &layout, &pass.constants())
+            last_pass_on(&gpu.device, &module, &layout, &pass.constants())
         })
     }
 
@@ -80,13 +76,24 @@ impl Canvas {
         drawing.load(gpu, &mut target.vertices, &shot);
         let frames = FrameUniform::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
-        let last_passes = frames[0]
-            .floor()
-            .parts()
-            .iter()
-            .map(|part| self.last_pass(gpu, &frames[0], *part))
-            .collect::<Vec<_>>();
+        let last_passes: Vec<_> =
+            last_passes(&frames[0]).map(|pass| (self.last_pass(gpu, pass), TILES[0] * TILES[1])).collect();
         let frames = self.frame_bind_groups(gpu, &target.frames, frames.len());
+        self.draw(gpu, target, &frames[0], &last_passes, |pass| {
+            drawing.record(pass, &target.vertices, &frames);
+        });
+    }
+
+    /// Draws `bodies` into `target`, and so many tiles of each of the `last_passes` over that, with the
+    /// bindings of this `frame`.
+    fn draw(
+        &self,
+        gpu: &Gpu,
+        target: &EyeTarget,
+        frame: &wgpu::BindGroup,
+        last_passes: &[(wgpu::RenderPipeline, u32)],
+        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>),
+    ) {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let samples = wgpu::RenderPassColorAttachment {
@@ -94,19 +101,40 @@ impl Canvas {
                 ..attachment(&target.samples, wgpu::StoreOp::Discard)
             };
             let mut pass = begin_pass(&mut encoder, "bodies", &[Some(samples)], Some(&target.depth));
-            drawing.record(&mut pass, &target.vertices, &frames);
+            bodies(&mut pass);
         }
         {
             let picture = attachment(target.view(), wgpu::StoreOp::Store);
             let mut pass = begin_pass(&mut encoder, "last", &[Some(picture)], None);
-            pass.set_bind_group(0, &frames[0], &[]);
+            pass.set_bind_group(0, frame, &[]);
             pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
-            for last_pass in &last_passes {
+            for (last_pass, tiles) in last_passes {
                 pass.set_pipeline(last_pass);
-                pass.draw(0..4, 0..TILES[0] * TILES[1]);
+                pass.draw(0..4, 0..*tiles);
             }
         }
         gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Makes the pipeline of `key`, and draws a triangle without an area with it into `target`, whose buffer
+    /// of vertices holds the corners of one.
+    pub fn try_bodies(&self, gpu: &Gpu, target: &EyeTarget, technique: &Technique, key: Key) {
+        let pipeline = technique.pipeline(gpu, &self.body_layout(gpu), key);
+        let frame = &self.frame_bind_groups(gpu, &target.frames, 1)[0];
+        self.draw(gpu, target, frame, &[], |pass| {
+            pass.set_bind_group(0, frame, &[]);
+            pass.set_pipeline(&pipeline);
+            for slot in 0..technique.buffers.len() {
+                pass.set_vertex_buffer(slot as u32, target.vertices.slice(..));
+            }
+            pass.draw(0..3, 0..1);
+        });
+    }
+
+    /// Makes the pipeline of a last pass, and draws one tile of `target` with it.
+    pub fn try_last_pass(&self, gpu: &Gpu, target: &EyeTarget, pass: LastPass) {
+        let frame = &self.frame_bind_groups(gpu, &target.frames, 1)[0];
+        self.draw(gpu, target, frame, &[(self.last_pass(gpu, pass), 1)], |_| ());
     }
 
     /// Returns the hits at the centre of every pixel of `view` of `scene`, its bodies drawn as `drawing`
@@ -180,6 +208,13 @@ impl Canvas {
     }
 }
 
+/// Returns the parts of the last pass of pictures like that of `frame`.
+pub fn last_passes(frame: &FrameUniform) -> impl Iterator<Item = LastPass> {
+    let (street, is_conformal, is_oblique) =
+        (frame.street(), frame.is_conformal(), frame.is_street_oblique());
+    frame.floor().parts().iter().map(move |&part| LastPass { part, street, is_conformal, is_oblique })
+}
+
 pub fn begin_pass<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     label: &str,
@@ -208,7 +243,7 @@ pub fn attachment(view: &wgpu::TextureView, store: wgpu::StoreOp) -> wgpu::Rende
     }
 }
 
-fn last_pass(
+fn last_pass_on(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,
     layout: &wgpu::PipelineLayout,

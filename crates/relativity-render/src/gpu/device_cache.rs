@@ -38,4 +38,19 @@ impl<K: Eq + Hash, V: Clone> Cache<K, V> {
         let cell = Arc::clone(self.0.lock().unwrap_or_else(PoisonError::into_inner).entry(key).or_default());
         cell.get_or_init(make).clone()
     }
+
+    /// Returns the number of values that are made.
+    pub fn made(&self) -> usize {
+        let values = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        values.values().filter(|cell| cell.get().is_some()).count()
+    }
+
+    /// Whether the value of `key` is made.
+    pub fn has(&self, key: &K) -> bool {
+        self.0
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get(key)
+            .is_some_and(|cell| cell.get().is_some())
+    }
 }

@@ -1,7 +1,9 @@
-//! Mirrors: structs and constants that both the shaders and Rust state, for a test to compare.
+//! Mirrors: structs and constants that both the shaders and Rust state, and what is made of them, for tests
+//! to compare.
 
 use std::mem::offset_of;
 
+use super::device::Gpu;
 use super::mesh::MeshInstance;
 use super::pipelines::Technique;
 use super::rays::Piece;
@@ -80,6 +82,12 @@ pub const VERTICES: [VertexMirror; 3] = [
         layout: MeshInstance::LAYOUT,
     },
 ];
+
+/// Returns the number of pipelines that draw bodies and backdrops, as far as they are made on `gpu`.
+#[must_use]
+pub fn pipelines(gpu: &Gpu) -> usize {
+    gpu.cache.bodies.made() + gpu.cache.last_passes.made()
+}
 
 /// Returns every shader.
 #[must_use]

@@ -14,5 +14,6 @@ pub(crate) mod mesh;
 pub mod mirrors;
 mod models;
 mod pipelines;
+pub(crate) mod preparation;
 pub(crate) mod rays;
 pub(crate) mod target;

@@ -96,38 +96,42 @@ impl Pipelines {
 
     /// Takes the pipeline of `key` from the device's cache, which makes it if it has none.
     pub fn prepare(&mut self, gpu: &Gpu, key: Key) {
-        if !self.needed.contains_key(&key) {
-            let pipeline = gpu.cache.bodies.get((self.technique.vertex, key), || self.pipeline(gpu, key));
-            self.needed.insert(key, pipeline);
-        }
+        let (technique, layout) = (&self.technique, &self.layout);
+        self.needed.entry(key).or_insert_with(|| technique.pipeline(gpu, layout, key));
     }
 
     /// The pipeline of a prepared `key`.
     pub fn get(&self, key: Key) -> &wgpu::RenderPipeline {
         &self.needed[&key]
     }
+}
 
-    fn pipeline(&self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
-        let constants = self.technique.constants(key);
+impl Technique {
+    /// Returns the pipeline of `key` from the device's cache, which makes it with this `layout` if it has
+    /// none.
+    pub fn pipeline(&self, gpu: &Gpu, layout: &wgpu::PipelineLayout, key: Key) -> wgpu::RenderPipeline {
+        gpu.cache.bodies.get((self.vertex, key), || self.made(gpu, layout, key))
+    }
+
+    fn made(&self, gpu: &Gpu, layout: &wgpu::PipelineLayout, key: Key) -> wgpu::RenderPipeline {
+        let constants = self.constants(key);
         let (entry_point, samples, targets) = match key.output {
-            Output::Picture { is_thin, .. } => {
-                (self.technique.picture, SAMPLES, vec![Some(linear_target(is_thin))])
-            }
+            Output::Picture { is_thin, .. } => (self.picture, SAMPLES, vec![Some(linear_target(is_thin))]),
             Output::Hits => ("hits", 1, vec![Some(MEASURES_FORMAT.into()); 2]),
         };
-        let module = &gpu.shader("bodies", (self.technique.source)(key.kind));
+        let module = &gpu.shader("bodies", (self.source)(key.kind));
         let compilation_options =
             wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
         gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(entry_point),
-            layout: Some(&self.layout),
+            layout: Some(layout),
             vertex: wgpu::VertexState {
                 module,
-                entry_point: Some(self.technique.vertex),
+                entry_point: Some(self.vertex),
                 compilation_options: compilation_options.clone(),
-                buffers: self.technique.buffers,
+                buffers: self.buffers,
             },
-            primitive: self.technique.primitive_of(key.kind),
+            primitive: self.primitive_of(key.kind),
             depth_stencil: Some(nearest()),
             multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
             fragment: Some(wgpu::FragmentState {

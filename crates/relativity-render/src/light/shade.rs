@@ -61,6 +61,6 @@ pub fn surface_colour(
         Some(facing) => light.shown_in_parts(appearance, doppler_factor, &facing.parts()),
         None => light.shown(appearance, doppler_factor),
     };
-    let grey = hatch.grey(unseen, place);
-    colour.map(|part| (part + grey) * shading * body.brightness)
+    let hatched = hatch.colour(unseen, place);
+    std::array::from_fn(|i| (colour[i] + hatched[i]) * shading * body.brightness)
 }

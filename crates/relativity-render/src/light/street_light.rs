@@ -126,8 +126,9 @@ pub(crate) fn coloured_false(octaves: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::colour::ipt::srgb_from_xyz;
     use crate::colour::planck::SECOND_RADIATION_NM_K;
-    use crate::colour::{colour_matching, luminance, srgb_from_xyz};
+    use crate::colour::{colour_matching, luminance};
     use crate::light::screen_light::Light;
     use crate::scene::body::Emission;
 

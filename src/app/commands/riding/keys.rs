@@ -16,7 +16,11 @@ const WALKS: [(Key, [i16; 2]); 4] =
     [(Key::W, [0, 1]), (Key::A, [-1, 0]), (Key::S, [0, -1]), (Key::D, [1, 0])];
 
 /// Keys that belong to the ride, in words, a line each.
-pub const TOLD: &[&str] = &["↑ pedal   ↓ brake   ← → look", "W A S D walk   shift I face ahead"];
+pub const TOLD: &[&str] = &[
+    "hold ↑ to pedal, ↓ to brake",
+    "← → or drag: look    shift I: face ahead",
+    "W A S D: walk    H: this again",
+];
 
 /// Returns whether `event` presses a key that belongs to the ride while one rides; what it asks for, where
 /// that is done at once.

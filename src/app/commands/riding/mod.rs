@@ -3,18 +3,21 @@
 pub mod keys;
 
 use relativity_core::math;
+use relativity_render::Colour;
 
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::state::riding::comfort::RideComfort;
 use crate::app::state::riding::saddle::{Push, PushDirection, RideCommand, Saddle};
 use crate::app::tools::clock;
-use crate::flags::choices::GazeChoice;
-use crate::flags::{FieldOfView, RideLegs, StreetVelocity};
+use crate::flags::choices::{GazeChoice, Layout};
+use crate::flags::{FieldOfView, RideLegs, SpeedParameter, SpeedSetting, StreetVelocity};
 use crate::settings::{LookSettings, MotionSettings, Riding, Settings};
 
 /// The view ahead from the saddle, degrees.
 const FOV: f64 = 90.0;
+/// Speed of the cyclist ahead, in c.
+const BETA_AHEAD: f64 = 0.5;
 /// Place x where one gets on: what passes x = 0 at T = 0 is still ahead.
 const START: f64 = -20.0;
 
@@ -32,11 +35,27 @@ impl State {
             }
             RideCommand::Reach(velocity) => self.pedal_to(velocity),
             RideCommand::Face => self.face(),
+            RideCommand::Remind => {
+                let requests = &mut self.scratch.saddle.requests;
+                *requests = requests.wrapping_add(1);
+            }
             RideCommand::Push(direction, step) => self.push(direction, step),
         }
     }
 
-    /// Seats the observer on a bicycle at rest in the middle of the road, facing +x.
+    /// Opens the street in daylight, with a cyclist who can be overtaken, and seats the observer on a bicycle
+    /// there.
+    pub(super) fn ride_through_the_street(&mut self) {
+        let mut settings = Settings::default().in_place_of(&self.document.settings);
+        settings.motion.speed =
+            SpeedSetting::new(SpeedParameter::Beta, BETA_AHEAD).unwrap_or(SpeedSetting::REST);
+        settings.light.colour = Colour::White;
+        self.show(settings);
+        self.get_on();
+    }
+
+    /// Seats the observer on a bicycle at rest in the middle of the road, facing +x, with one large picture in
+    /// place of two apart.
     fn get_on(&mut self) {
         let across = self.document.scene.street.map_or(0.0, |[near, far, _]| 0.5 * (near + far));
         let mut settings = Settings::clone(&self.document.settings);
@@ -52,9 +71,13 @@ impl State {
         };
         let (gaze, fov) = (GazeChoice::Fixed([0.0, -12.0]), FieldOfView(Some(FOV)));
         settings.look = LookSettings { gaze, fov, ..settings.look };
+        let layout_before = Some(settings.picture.layout);
+        if settings.picture.layout.shows_two_apart() {
+            settings.picture.layout = Layout::Left;
+        }
         self.have(settings);
         self.document.time = 0.0;
-        self.scratch.saddle = Saddle { is_taken: true, push: None };
+        self.scratch.saddle = Saddle { is_taken: true, layout_before, ..Saddle::default() };
         self.scratch.playing = true;
     }
 
@@ -81,6 +104,9 @@ impl State {
         let MotionSettings { roll, turn, depth_shift, height_shift, .. } = default.motion;
         settings.motion = MotionSettings { roll, turn, depth_shift, height_shift, ..settings.motion };
         settings.look = LookSettings { gaze: default.look.gaze, fov: default.look.fov, ..settings.look };
+        if settings.picture.layout == Layout::Left {
+            settings.picture.layout = self.scratch.saddle.layout_before.unwrap_or(default.picture.layout);
+        }
         self.have(settings);
         self.scratch.saddle = Saddle::default();
         let tracked = self.document.points.selected().track;
@@ -94,8 +120,8 @@ impl State {
         }
     }
 
-    /// Pedals or brakes until this speed is reached; who has not started yet starts with it.
-    fn pedal_to(&mut self, velocity: StreetVelocity) {
+    /// Pedals or brakes until this speed is reached, for which T runs; who has not started yet starts with it.
+    pub(super) fn pedal_to(&mut self, velocity: StreetVelocity) {
         let ride = &self.document.settings.ride;
         let has_legs = ride.turns().next().is_some();
         if !has_legs && self.document.time <= 0.0 {
@@ -107,6 +133,8 @@ impl State {
         if gained != 0.0 {
             let acceleration = rider.ahead().map(|part| part * ride.push.copysign(gained));
             self.record(ride.pushed(self.document.time, gained.abs() / ride.push, acceleration));
+            self.scratch.saddle.is_taken = true;
+            self.scratch.playing = true;
         }
     }
 
@@ -124,7 +152,7 @@ impl State {
         // The ride starts at 0, and before that it moves as it starts.
         let ridden = (time >= 0.0 && duration > 0.0)
             .then(|| ride.pushed(time, duration, push.towards.map(|part| part * ride.push)));
-        self.scratch.saddle = Saddle { is_taken: true, push: Some(push) };
+        self.scratch.saddle = Saddle { is_taken: true, push: Some(push), ..self.scratch.saddle };
         if let Some(ridden) = ridden {
             self.record(ridden);
         }

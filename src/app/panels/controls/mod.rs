@@ -13,6 +13,7 @@ mod two_eyes;
 use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui, UiBuilder};
 use relativity_render::Geometry;
 
+use self::speed::SpeedControl;
 use super::Commands;
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, GazeCommand, SettingsCommand, Switch};
@@ -22,8 +23,8 @@ use crate::app::views::dial;
 use crate::app::views::layouts::{self, LAYOUTS};
 use crate::app::widgets::theme;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, explained_lazily, row, section};
-use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;
+use crate::flags::{FieldOfView, SpeedSetting};
 use crate::settings::{
     LookSettings, MAX_LENGTH, MotionSettings, PictureSettings, USUAL_FOV, WindowSettings, about, meaning,
 };
@@ -53,9 +54,11 @@ const FINGER: f32 = 28.0;
 pub fn show_speed(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().item_spacing.y = 0.0;
     ui.spacing_mut().interact_size.y = FINGER;
+    if state.document.settings.ride.is_on() {
+        return ride::speed(ui, state, commands);
+    }
     let motion = state.document.settings.motion;
-    if let Some(speed) = speed::show(ui, motion.speed, state.defaults().motion.speed, &state.measures(), &[])
-    {
+    if let Some(speed) = bodies_speed(ui, state, motion, &[]) {
         commands.push(SettingsCommand::Motion(MotionSettings { speed, ..motion }).into());
     }
 }
@@ -114,7 +117,13 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let default = state.defaults().motion;
     let is_simple = state.document.settings.window.simple;
     let fields: &[speed::Field] = if is_simple { &[] } else { &speed::FIELDS };
-    if let Some(speed) = speed::show(ui, motion.speed, default.speed, &measures, fields) {
+    let is_riding = state.document.settings.ride.is_on();
+    if is_riding {
+        ride::speeds(ui, state, commands);
+    }
+    // With few controls a rider has one speed to set: their own.
+    let sets_bodies = !(is_simple && is_riding);
+    if let Some(speed) = sets_bodies.then(|| bodies_speed(ui, state, motion, fields)).flatten() {
         motion.speed = speed;
     }
     separation_row(ui, measures.length, &mut motion, default);
@@ -124,6 +133,19 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
     if motion != state.document.settings.motion {
         commands.push(SettingsCommand::Motion(motion).into());
     }
+}
+
+/// Shows the speed of the bodies, large unless the observer's own is; on a ride none where nothing moves at it.
+fn bodies_speed(
+    ui: &mut Ui,
+    state: &State,
+    motion: MotionSettings,
+    fields: &[speed::Field],
+) -> Option<SpeedSetting> {
+    let is_large = !state.document.settings.ride.is_on();
+    let told = if is_large { state.told_speed_text() } else { state.bodies_speed_text()? };
+    let (current, default) = (motion.speed, state.defaults().motion.speed);
+    speed::show(ui, SpeedControl { current, default, told: &told, is_own: false, is_large, fields })
 }
 
 fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut MotionSettings, default: MotionSettings) {

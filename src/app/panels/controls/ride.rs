@@ -2,13 +2,14 @@
 
 use eframe::egui::{Id, RichText, Ui};
 
+use super::speed::{self, SpeedControl};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, SettingsCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::riding::saddle::RideCommand;
 use crate::app::widgets::{NumberRow, row, typed_text};
-use crate::flags::{RideLegs, StreetVelocity};
+use crate::flags::{RideLegs, SpeedSetting, StreetVelocity};
 use crate::number_text;
 use crate::settings::{AZIMUTH, ELEVATION, MAX_LENGTH, PUSH, Riding, about};
 
@@ -29,7 +30,6 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     if !ride.is_on() {
         return;
     }
-    speed_row(ui, state, commands);
     push().show(ui, &mut ride.push, default.push);
     start(ui, state, &mut ride, &default);
     direction(ui, &mut ride, &default);
@@ -69,6 +69,30 @@ pub fn button(ui: &mut Ui, state: &State, commands: &mut Commands) {
             }
         }
     });
+}
+
+/// Shows the rider's own speed, large, and a field to type it in.
+pub fn speeds(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    speed(ui, state, commands);
+    speed_row(ui, state, commands);
+}
+
+/// Shows the rider's own speed: the slider pedals or brakes until it is reached.
+pub fn speed(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    let told = state.told_speed_text();
+    let current = state.throttle();
+    let control = SpeedControl {
+        current,
+        default: SpeedSetting::REST,
+        told: &told,
+        is_own: true,
+        is_large: true,
+        fields: &[],
+    };
+    let asked = speed::show(ui, control).filter(|speed| speed.speed() != current.speed());
+    if let Some(velocity) = asked.and_then(|speed| state.throttled(speed)) {
+        commands.push(RideCommand::Reach(velocity).into());
+    }
 }
 
 fn speed_row(ui: &mut Ui, state: &State, commands: &mut Commands) {

@@ -10,9 +10,11 @@ use crate::app::widgets::{self, DOUBLE_CLICK};
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::number_text;
 use crate::settings::about;
-use crate::units::Measures;
 
 const TIP: &str = "Sets the speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\nThe slider is finer towards 1.";
+
+const OWN_TIP: &str = "Pedals or brakes until this speed is reached, in units of c, and starts T if it stands. The large number is \
+    the speed that you have.";
 
 /// A field in which the speed is typed: its parameter, symbol and name.
 pub type Field = (SpeedParameter, &'static str, &'static str);
@@ -24,57 +26,71 @@ pub const FIELDS: [Field; 3] = [
     (SpeedParameter::Rapidity, "η", "Rapidity, typed"),
 ];
 
-fn tip() -> String {
-    let keys = [
-        Command::Settings(SettingsCommand::NudgeSpeed(1)),
-        Command::Settings(SettingsCommand::NudgeSpeed(-1)),
-    ];
-    format!("{}\n{DOUBLE_CLICK}", with_keys(TIP, &keys))
+/// A speed that can be set: that of the bodies, or the rider's own.
+#[derive(Debug, Clone, Copy)]
+pub struct SpeedControl<'a> {
+    /// Speed that the slider shows.
+    pub current: SpeedSetting,
+    /// Speed that a double click sets.
+    pub default: SpeedSetting,
+    /// Speed in words at the end of the title.
+    pub told: &'a str,
+    /// Whether it is the rider's own.
+    pub is_own: bool,
+    /// Whether its number is the large one.
+    pub is_large: bool,
+    /// Fields to type it in.
+    pub fields: &'a [Field],
 }
 
-/// Shows the `current` speed with the fields `shown`, in the unit of `measures` too if it has one for speeds.
-/// Returns a speed if the user gave one, or asked for the `default`.
-pub fn show(
-    ui: &mut Ui,
-    current: SpeedSetting,
-    default: SpeedSetting,
-    measures: &Measures,
-    shown: &[Field],
-) -> Option<SpeedSetting> {
+impl SpeedControl<'_> {
+    fn title(&self) -> &'static str {
+        if self.is_own { "My speed" } else { "Speed" }
+    }
+
+    /// Name of the slider to assistive technology.
+    fn slider_name(&self) -> &'static str {
+        if self.is_own { "My speed β" } else { "Speed β" }
+    }
+
+    fn tip(&self) -> String {
+        if self.is_own {
+            return format!("{OWN_TIP}\n{DOUBLE_CLICK}");
+        }
+        let keys = [1, -1].map(|steps| Command::Settings(SettingsCommand::NudgeSpeed(steps)));
+        format!("{}\n{DOUBLE_CLICK}", with_keys(TIP, &keys))
+    }
+}
+
+/// Shows a speed with its fields. Returns a speed if the user gave one, or asked for the default.
+pub fn show(ui: &mut Ui, control: SpeedControl<'_>) -> Option<SpeedSetting> {
     let title = ui.horizontal(|ui| {
-        let name = ui.add(Label::new("Speed").selectable(false)).on_hover_text(tip());
+        let name = ui.add(Label::new(control.title()).selectable(false)).on_hover_text(control.tip());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let text = format!("β = {}", number_text::beta(&current.speed()));
-            ui.label(RichText::new(text).heading().strong()).on_hover_text(tip());
-            if let Some(speed) = measures.speed(&current.speed()) {
-                ui.label(speed)
-                    .on_hover_text("The same speed in Gamow's town, where light travels at 30 km/h.");
-            }
+            let text = RichText::new(control.told);
+            let text = if control.is_large { text.heading().strong() } else { text };
+            ui.label(text).on_hover_text(control.tip());
         });
         name
     });
-    let restored = widgets::is_double_clicked(ui, &title.inner).then_some(default);
-    let slid = slider(ui, current, default, shown.len() == FIELDS.len());
-    let typed = if shown.is_empty() { None } else { fields(ui, current, shown) };
+    let restored = widgets::is_double_clicked(ui, &title.inner).then_some(control.default);
+    let slid = slider(ui, control);
+    let typed = if control.fields.is_empty() { None } else { fields(ui, control.current, control.fields) };
     restored.or(typed).or(slid)
 }
 
-fn slider(
-    ui: &mut Ui,
-    current: SpeedSetting,
-    default: SpeedSetting,
-    takes_clicks: bool,
-) -> Option<SpeedSetting> {
+fn slider(ui: &mut Ui, control: SpeedControl<'_>) -> Option<SpeedSetting> {
+    let SpeedControl { current, default, fields, is_own, .. } = control;
     let mut position = current.slider_position();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
-    let response = widgets::explained(ui.add(slider), tip()).accessible_name("Speed β");
+    let response = widgets::explained(ui.add(slider), control.tip()).accessible_name(control.slider_name());
     ui.ctx().accesskit_node_builder(response.id, |node| {
         // The slider's own number is a place along it.
         node.clear_numeric_value();
         node.set_value(number_text::beta(&current.speed()));
     });
-    let marked = marks(ui, response.rect, takes_clicks);
+    let marked = marks(ui, response.rect, is_own || fields.len() == FIELDS.len());
     if widgets::is_double_clicked(ui, &response) {
         return Some(default);
     }

@@ -7,7 +7,6 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::lesson::Running;
 use crate::lesson::{AnswerKind, Phase, Step};
-use crate::number_text;
 
 /// Shows the lesson before an audience.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -25,8 +24,8 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     let (lesson, place) = (course.lesson(), course.place().step);
     let count = lesson.steps.len();
     let step = if count > 1 && place < count { format!("{} of {count}", place + 1) } else { String::new() };
-    let beta = format!("β\u{a0}=\u{a0}{}", number_text::beta(&state.speed()));
-    let parts = [lesson.title.as_str(), &step, &beta];
+    let (speed, others) = (state.told_speed_text(), state.others_speed_text().unwrap_or_default());
+    let parts = [lesson.title.as_str(), &step, &speed, &others];
     let told = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("  ·  ");
     ui.add(Label::new(RichText::new(told).weak()).truncate());
 }

@@ -28,16 +28,20 @@ const DRAWN: f32 = 1.3;
 /// The cards of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cards {
+    /// Cards of chapters.
+    Chapters,
     /// Large cards of lessons.
-    OfLessons,
+    Lessons,
     /// Small cards of presets.
-    OfPresets,
+    Presets,
 }
 
 /// A card of the start page.
 pub struct Card<'a> {
-    /// Lesson or preset of the card.
+    /// Lesson or preset of the card's picture.
     pub lesson: &'a Arc<Lesson>,
+    /// Title below the picture.
+    pub title: &'a str,
     /// Number among the others, if they come in an order.
     pub number: Option<usize>,
     /// In small writing below the title; may be empty.
@@ -56,8 +60,8 @@ impl Cards {
     /// The narrowest of them, points.
     const fn narrowest(self) -> f32 {
         match self {
-            Self::OfLessons => 226.0,
-            Self::OfPresets => 150.0,
+            Self::Lessons => 226.0,
+            Self::Chapters | Self::Presets => 150.0,
         }
     }
 
@@ -97,8 +101,8 @@ impl Card<'_> {
     /// Returns the name of the card for assistive technology.
     fn name(&self) -> String {
         match self.number {
-            Some(number) => format!("{number}. {}", self.lesson.title),
-            None => self.lesson.title.clone(),
+            Some(number) => format!("{number}. {}", self.title),
+            None => self.title.to_owned(),
         }
     }
 
@@ -107,8 +111,9 @@ impl Card<'_> {
         let (body, small) = (TextStyle::Body.resolve(ui.style()), TextStyle::Small.resolve(ui.style()));
         let visuals = ui.visuals();
         let title = match cards {
-            Cards::OfLessons => FontId { size: 1.15 * body.size, ..body.clone() },
-            Cards::OfPresets => FontId { size: 0.96 * body.size, ..body.clone() },
+            Cards::Chapters => FontId { size: 1.3 * body.size, ..body.clone() },
+            Cards::Lessons => FontId { size: 1.15 * body.size, ..body.clone() },
+            Cards::Presets => FontId { size: 0.96 * body.size, ..body.clone() },
         };
         let mut job = LayoutJob {
             wrap: TextWrapping::wrap_at_width((width - 2.0 * scale * AROUND).max(1.0)),
@@ -121,7 +126,7 @@ impl Card<'_> {
                 TextFormat::simple(title.clone(), visuals.weak_text_color()),
             );
         }
-        job.append(&self.lesson.title, 0.0, TextFormat::simple(title, visuals.strong_text_color()));
+        job.append(self.title, 0.0, TextFormat::simple(title, visuals.strong_text_color()));
         if !self.details.is_empty() {
             let format = TextFormat {
                 line_height: Some(1.7 * small.size),
@@ -144,7 +149,8 @@ impl Card<'_> {
         look: ThumbnailLook,
         thumbnails: &mut Thumbnails,
     ) -> Response {
-        let id: Id = ui.make_persistent_id(("card", self.lesson.is_a_preset(), &self.lesson.name));
+        let id: Id =
+            ui.make_persistent_id(("card", self.lesson.is_a_preset(), &self.lesson.name, self.title));
         let response = ui.interact(rect, id, Sense::click());
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, self.state.is_some(), self.name()));
         if response.gained_focus() {

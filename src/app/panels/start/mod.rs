@@ -1,6 +1,8 @@
-//! The start page: what this is, all lessons, and all presets, each with a picture of what it shows.
+//! The start page: a moving picture with the ways in, and the chapters; the lessons of a chapter; and all
+//! presets.
 
 mod card;
+mod head;
 mod picture;
 #[cfg(not(feature = "desktop"))]
 mod program;
@@ -8,7 +10,8 @@ mod words;
 
 use std::sync::Arc;
 
-use eframe::egui::{Button, Key, Memory, RichText, ScrollArea, TextStyle, Ui, UiBuilder, Vec2, vec2};
+use eframe::egui::style::ScrollStyle;
+use eframe::egui::{Button, Key, Memory, RichText, ScrollArea, TextStyle, Ui, UiBuilder, vec2};
 use gamow_platform::messages;
 
 use self::card::{Card, Cards};
@@ -18,29 +21,34 @@ use crate::app::commands::{Command, FileCommand, ShowCommand, WindowCommand};
 use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::state::overlay::Overlay;
+use crate::app::views::start_picture::StartPicture;
 use crate::app::views::thumbnails::Thumbnails;
 use crate::app::widgets::theme;
-use crate::lesson::{Lesson, Refused};
-use crate::settings::Preset;
+use crate::lesson::{Chapter, Lesson, Library, Refused};
+use crate::settings::{Preset, PresetGroup};
 
-/// The widest that what is on the page becomes, and what stays free at its sides, points.
+/// The widest that what is on the page becomes, points.
 const WIDEST: f32 = 1720.0;
+/// Space that stays free at its sides, on a page wider than a phone's and on that of a phone, and the width
+/// between these; points.
 const SIDES: f32 = 32.0;
-/// Greatest width of lines of the introduction, points.
-const WIDEST_LINES: f32 = 680.0;
-/// Width from which on the eyes' pictures are beside the introduction, points, and the share of the width
-/// that they take.
-const NARROWEST_WITH_EYES: f32 = 1000.0;
-const WORDS: f32 = 0.54;
-/// Sizes of the heading, of the headings of sections, and of what is written below the first, in those of
-/// most writing.
-const HEADING: f32 = 2.0;
-const SECTION: f32 = 1.4;
-const INTRODUCTION: f32 = 1.1;
+const SIDES_OF_A_PHONE: f32 = 16.0;
+const WIDEST_PHONE: f32 = 540.0;
+/// Sizes of headings of pages and of sections, in those of most writing.
+const PAGE: f32 = 2.0;
+const SECTION: f32 = 1.2;
 /// Maximum number of unreadable lessons listed with the reason.
 const MOST_REFUSED: usize = 20;
 /// Step of the arrow keys in scrolling, points.
 const LINE: f32 = 60.0;
+
+/// The pictures of the page.
+pub struct Pictures<'a> {
+    /// Moving picture, where there is a device that draws it.
+    pub head: Option<&'a mut StartPicture>,
+    /// Pictures on cards.
+    pub cards: &'a mut Thumbnails,
+}
 
 /// Returns whether `command`, from a key, is performed while the page is shown: one that changes nothing
 /// behind it.
@@ -58,40 +66,106 @@ pub const fn lets_through(command: &Command) -> bool {
     )
 }
 
-/// Shows the start page.
-pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, commands: &mut Commands) {
-    let scale = theme::text_scale(ui.style());
-    let area = ScrollArea::vertical().auto_shrink([false, false]);
-    area.show(ui, |ui| {
+/// Shows the page that the state names.
+pub fn show(ui: &mut Ui, state: &State, pictures: Pictures<'_>, commands: &mut Commands) {
+    let overlay = state.session.overlay;
+    let library = state.library();
+    let chapters = library.chapters();
+    let opened = match overlay {
+        Some(Overlay::Chapter(number)) => chapters.get(number),
+        _ => None,
+    };
+    // The picture reaches below it.
+    ui.spacing_mut().scroll = ScrollStyle::floating();
+    // Each page has a place to which it is scrolled.
+    let area = ScrollArea::vertical().id_salt(overlay.as_ref().map(std::mem::discriminant));
+    area.auto_shrink([false, false]).show(ui, |ui| {
         scroll(ui);
-        let room = ui.available_rect_before_wrap();
-        let width = (room.width() - 2.0 * SIDES).min(scale * WIDEST).max(1.0);
-        let within = room.with_min_x(room.center().x - 0.5 * width).with_max_x(room.center().x + 0.5 * width);
-        ui.scope_builder(UiBuilder::new().max_rect(within), |ui| {
-            ui.spacing_mut().item_spacing.y = scale * 8.0;
-            ui.add_space(scale * 20.0);
-            let library = state.library();
-            let (presets, lessons): (Vec<_>, Vec<_>) =
-                library.all().iter().partition(|lesson| lesson.is_a_preset());
-            head(ui, state, &lessons, presets.first().copied(), thumbnails, commands);
-            section(ui, "Lessons", &words::extent(&lessons));
-            let numbered = lessons.iter().enumerate();
-            let cards: Vec<_> = numbered.map(|(number, lesson)| of_lesson(state, number, lesson)).collect();
-            Cards::OfLessons.show(ui, &cards, thumbnails, commands);
-            refused(ui, library.refused());
-            section(ui, "Presets", words::PRESETS);
-            let cards: Vec<_> = presets.iter().filter_map(|lesson| of_preset(state, lesson)).collect();
-            Cards::OfPresets.show(ui, &cards, thumbnails, commands);
-            ui.add_space(scale * 12.0);
-            ui.label(RichText::new(words::OWN).weak());
-            #[cfg(not(feature = "desktop"))]
-            {
-                section(ui, "On a desktop", program::INTRODUCTION);
-                program::show(ui);
+        ui.spacing_mut().item_spacing.y = theme::text_scale(ui.style()) * 8.0;
+        match opened {
+            Some(chapter) => within(ui, |ui| lessons(ui, state, chapter, pictures.cards, commands)),
+            None if overlay == Some(Overlay::Presets) => {
+                within(ui, |ui| presets(ui, state, pictures.cards, commands));
             }
-            ui.add_space(scale * 24.0);
-        });
+            None => front(ui, state, &library, pictures, commands),
+        }
     });
+}
+
+/// Returns the space that stays free at each side of a page of this `width`, points.
+fn sides(width: f32) -> f32 {
+    if width > WIDEST_PHONE { SIDES } else { SIDES_OF_A_PHONE }
+}
+
+/// Shows `contents` between the margins of the page.
+fn within(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
+    let scale = theme::text_scale(ui.style());
+    let room = ui.available_rect_before_wrap();
+    let width = (room.width() - 2.0 * sides(room.width())).min(scale * WIDEST).max(1.0);
+    let within = room.with_min_x(room.center().x - 0.5 * width).with_max_x(room.center().x + 0.5 * width);
+    ui.scope_builder(UiBuilder::new().max_rect(within), |ui| {
+        ui.add_space(scale * 14.0);
+        contents(ui);
+        ui.add_space(scale * 24.0);
+    });
+}
+
+/// Shows the first page.
+fn front(ui: &mut Ui, state: &State, library: &Library, pictures: Pictures<'_>, commands: &mut Commands) {
+    head::show(ui, state, library, pictures.head, commands);
+    within(ui, |ui| {
+        let chapters = library.chapters();
+        let numbered = chapters.iter().enumerate();
+        let cards: Vec<_> =
+            numbered.filter_map(|(number, chapter)| of_chapter(state, number, chapter)).collect();
+        Cards::Chapters.show(ui, &cards, pictures.cards, commands);
+        refused(ui, library.refused());
+        ui.horizontal_wrapped(|ui| {
+            let open = Command::Window(WindowCommand::Toggle(Overlay::Presets));
+            let tip = with_keys("Shows all presets, in four groups.", std::slice::from_ref(&open));
+            if ui.button("Presets").on_hover_text(tip).clicked() {
+                commands.push(open);
+            }
+            ui.label(RichText::new(words::presets()).weak());
+        });
+        ui.label(RichText::new(words::OWN).weak());
+        #[cfg(not(feature = "desktop"))]
+        {
+            section(ui, "On a desktop");
+            ui.label(RichText::new(program::INTRODUCTION).weak());
+            program::show(ui);
+        }
+    });
+}
+
+/// Shows the lessons of `chapter`.
+fn lessons(
+    ui: &mut Ui,
+    state: &State,
+    chapter: &Chapter<'_>,
+    thumbnails: &mut Thumbnails,
+    commands: &mut Commands,
+) {
+    let remark = format!("{}. {}", words::chapter(chapter, &state.session.answers), words::LESSON);
+    title(ui, chapter.title, &remark, commands);
+    let cards: Vec<_> =
+        chapter.lessons.iter().map(|(number, lesson)| of_lesson(state, *number, lesson)).collect();
+    Cards::Lessons.show(ui, &cards, thumbnails, commands);
+}
+
+/// Shows all presets, by group.
+fn presets(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, commands: &mut Commands) {
+    title(ui, "Presets", words::PRESETS, commands);
+    let library = state.library();
+    for group in PresetGroup::ALL {
+        section(ui, group.title());
+        let of_group = |lesson: &&Arc<Lesson>| {
+            lesson.is_a_preset() && Preset::named(&lesson.name).is_some_and(|preset| preset.group == group)
+        };
+        let cards: Vec<_> =
+            library.all().iter().filter(of_group).filter_map(|lesson| of_preset(state, lesson)).collect();
+        Cards::Presets.show(ui, &cards, thumbnails, commands);
+    }
 }
 
 /// Says which lessons of a folder cannot be read, and why.
@@ -108,88 +182,54 @@ fn refused(ui: &mut Ui, refused: &[Refused]) {
     }
 }
 
-/// Shows the introduction, and, where there is room, both eyes' pictures of the `start`.
-fn head(
-    ui: &mut Ui,
-    state: &State,
-    lessons: &[&Arc<Lesson>],
-    start: Option<&Arc<Lesson>>,
-    thumbnails: &mut Thumbnails,
-    commands: &mut Commands,
-) {
-    let room = ui.available_rect_before_wrap();
-    let is_wide = room.width() >= theme::text_scale(ui.style()) * NARROWEST_WITH_EYES;
-    let end = if is_wide { room.min.x + WORDS * room.width() } else { room.max.x };
-    let words = UiBuilder::new().max_rect(room.with_max_x(end));
-    let words = ui.scope_builder(words, |ui| introduction(ui, state, lessons, commands)).response.rect;
-    if let Some(start) = start.filter(|_| is_wide) {
-        let beside = words.with_min_x(end + SIDES).with_max_x(room.max.x);
-        let pictures = picture::both_eyes(ui, beside, start, thumbnails);
-        ui.add_space((pictures.max.y - words.max.y).max(0.0));
-    }
-}
-
-/// Shows the introduction, and the way in.
-fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], commands: &mut Commands) {
+/// Shows the title of a page below the first, with the way back.
+fn title(ui: &mut Ui, title: &str, remark: &str, commands: &mut Commands) {
     let body = TextStyle::Body.resolve(ui.style()).size;
-    let scale = theme::text_scale(ui.style());
-    ui.set_max_width(ui.available_width().min(scale * WIDEST_LINES));
-    ui.label(RichText::new(words::HEADING).size(HEADING * body).strong());
-    ui.label(RichText::new(words::INTRODUCTION).size(INTRODUCTION * body));
-    ui.add_space(4.0);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().button_padding = Vec2::new(1.1, 0.6) * body;
-        if let Some((words, command)) = way_in(state, lessons) {
-            let [ground, ink] = theme::primary_colours(ui.visuals());
-            let words = RichText::new(words).size(INTRODUCTION * body).strong().color(ink);
-            if ui.add(Button::new(words).fill(ground)).clicked() {
-                commands.push(command);
-            }
-        }
-        let around = Button::new(RichText::new("Look around").size(INTRODUCTION * body));
-        let tip = with_keys(
-            "Closes this page. Lessons, above, brings it back.",
-            &[Command::Window(WindowCommand::Toggle(Overlay::Start))],
-        );
-        if ui.add(around).on_hover_text(tip).clicked() {
-            commands.push(WindowCommand::Toggle(Overlay::Start).into());
-        }
-    });
-}
-
-/// Returns the way in: the lesson that is open, else the one that comes next.
-fn way_in(state: &State, lessons: &[&Arc<Lesson>]) -> Option<(String, Command)> {
-    if let Some(course) = state.course() {
-        return Some((
-            format!("Go on: {}", course.lesson().title),
-            Command::Window(WindowCommand::Toggle(Overlay::Start)),
-        ));
+    let back = Command::Window(WindowCommand::Toggle(Overlay::Start));
+    let tip = with_keys("Returns to the start page.", std::slice::from_ref(&back));
+    if ui.add(Button::new("← Start page").frame(false)).on_hover_text(tip).clicked() {
+        commands.push(back);
     }
-    let next = lessons.iter().find(|lesson| state.session.next_lesson.as_ref() == Some(&lesson.name));
-    let next = next.or(lessons.first())?;
-    let command = Command::Lesson(LessonCommand::Open(next.name.clone()));
-    let word = if state.session.answers.progress(next).is_some() { "Go on" } else { "Begin" };
-    Some((format!("{word}: {}", next.title), command))
-}
-
-fn section(ui: &mut Ui, title: &str, remark: &str) {
-    let body = TextStyle::Body.resolve(ui.style()).size;
-    ui.add_space(1.3 * body);
-    ui.label(RichText::new(title).size(SECTION * body).strong());
+    ui.label(RichText::new(title).size(PAGE * body).strong());
     ui.label(RichText::new(remark).weak());
-    ui.add_space(0.2 * body);
+    ui.add_space(0.5 * body);
+}
+
+fn section(ui: &mut Ui, title: &str) {
+    let body = TextStyle::Body.resolve(ui.style()).size;
+    ui.add_space(0.6 * body);
+    ui.label(RichText::new(title).size(SECTION * body).strong());
+}
+
+/// Returns the card of the chapter with this number, from 0.
+fn of_chapter<'a>(state: &State, number: usize, chapter: &Chapter<'a>) -> Option<Card<'a>> {
+    let (_, first) = chapter.lessons.first()?;
+    let is_open = state
+        .course()
+        .is_some_and(|course| chapter.lessons.iter().any(|(_, lesson)| lesson.name == course.lesson().name));
+    Some(Card {
+        lesson: first,
+        title: chapter.title,
+        number: None,
+        details: words::chapter(chapter, &state.session.answers),
+        text: String::new(),
+        tip: words::titles(chapter),
+        state: is_open.then(|| "Open".to_owned()),
+        command: Command::Window(WindowCommand::Toggle(Overlay::Chapter(number))),
+    })
 }
 
 fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<'a> {
     let open = state.course().filter(|course| course.lesson().name == lesson.name);
-    let command = match open {
-        Some(_) => Command::Window(WindowCommand::Toggle(Overlay::Start)),
-        None => Command::Lesson(LessonCommand::Open(lesson.name.clone())),
+    let command = match (open, state.session.overlay) {
+        (Some(_), Some(page)) => Command::Window(WindowCommand::Toggle(page)),
+        _ => Command::Lesson(LessonCommand::Open(lesson.name.clone())),
     };
     Card {
         lesson,
-        number: Some(number + 1),
-        details: words::details(lesson),
+        title: &lesson.title,
+        number: Some(number),
+        details: words::details(lesson, &state.session.answers),
         text: words::summary(&lesson.introduction.markdown),
         tip: words::plain(&lesson.introduction.markdown, usize::MAX),
         state: open.map(words::place),
@@ -202,6 +242,7 @@ fn of_preset<'a>(state: &State, lesson: &'a Arc<Lesson>) -> Option<Card<'a>> {
     let is_shown = state.document.preset == Some(preset) && state.course().is_none();
     Some(Card {
         lesson,
+        title: &lesson.title,
         number: None,
         details: String::new(),
         text: String::new(),

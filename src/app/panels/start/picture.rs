@@ -1,14 +1,10 @@
 //! Pictures on the start page: that of a card, and what both eyes see, beside the introduction.
 
-use std::sync::Arc;
-
 use eframe::egui::epaint::{CornerRadius, RectShape};
-use eframe::egui::{Color32, Rect, TextStyle, TextureHandle, Ui, Visuals, pos2, vec2};
+use eframe::egui::{Color32, Rect, TextStyle, TextureHandle, Ui, pos2, vec2};
 
-use crate::app::views::thumbnails::{ThumbnailLook, Thumbnails};
-use crate::app::widgets::theme;
+use crate::app::views::thumbnails::ThumbnailLook;
 use crate::eye::Eye;
-use crate::lesson::Lesson;
 
 /// Height of a picture in its widths.
 pub const ASPECT: f32 = 0.58;
@@ -16,10 +12,6 @@ pub const ASPECT: f32 = 0.58;
 const FINEST: f32 = 2.0;
 /// Radius of its corners, points.
 pub const RADIUS: u8 = 9;
-/// Space between what the two eyes see, points.
-const BETWEEN: f32 = 10.0;
-/// The widest of these, points: as wide as they are drawn.
-const WIDEST: f32 = 300.0;
 
 /// Returns the look of a picture `width` points wide.
 pub fn look(ui: &Ui, width: f32, eye: Eye) -> ThumbnailLook {
@@ -51,23 +43,4 @@ pub fn tag(ui: &Ui, rect: Rect, text: &str, [ground, ink]: [Color32; 2]) {
     let tag = Rect::from_min_size(rect.min + vec2(8.0, 8.0), galley.size() + 2.0 * around);
     ui.painter().rect_filled(tag, 6.0, ground);
     ui.painter().galley(tag.min + around, galley, ink);
-}
-
-/// Draws what both eyes see in `lesson`, side by side at the upper right end of `room`; where that is.
-pub fn both_eyes(ui: &Ui, room: Rect, lesson: &Arc<Lesson>, thumbnails: &mut Thumbnails) -> Rect {
-    let width = (0.5 * (room.width() - BETWEEN)).clamp(1.0, WIDEST);
-    let size = vec2(width, width * ASPECT);
-    let [left, right] =
-        [2.0 * width + BETWEEN, width].map(|from_end| pos2(room.max.x - from_end, room.min.y));
-    for (eye, corner) in Eye::BOTH.into_iter().zip([left, right]) {
-        let rect = Rect::from_min_size(corner, size);
-        let is_in_view = ui.is_rect_visible(rect);
-        let picture = thumbnails.picture(lesson, look(ui, WIDEST, eye), is_in_view);
-        if is_in_view {
-            paint(ui, rect, CornerRadius::same(RADIUS), picture);
-            let ink = theme::eye_colour(eye, &Visuals::dark());
-            tag(ui, rect, eye.name(), [Color32::from_black_alpha(225), ink]);
-        }
-    }
-    Rect::from_min_max(left, right + size)
 }

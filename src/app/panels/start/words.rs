@@ -1,16 +1,17 @@
 //! Words of the start page.
 
-use std::sync::Arc;
-
 use pulldown_cmark::{Event, TagEnd};
 
 use crate::formula::markdown::Markdown;
-use crate::lesson::{Course, Lesson};
+use crate::lesson::{Answers, Chapter, Course, Lesson};
+use crate::settings::Preset;
 
-/// Heading of the page.
-pub const HEADING: &str = "What do two eyes see at nearly the speed of light?";
-pub const INTRODUCTION: &str = "Gamow shows what each eye sees of a cyclist who rides past at nearly the speed of light, \
-    and what two eyes make of it. Each lesson asks for your guess, shows you what happens, and explains it.";
+/// Heading of the page, and the line below it.
+pub const HEADING: &str = "See what nobody has ever seen";
+pub const LINE: &str = "A street at nearly the speed of light, exactly as your two eyes would see it.";
+
+/// What a lesson does.
+pub const LESSON: &str = "Each lesson asks for your guess, shows you what happens, and explains it.";
 
 /// Introduction to the presets.
 pub const PRESETS: &str = "Ready-made scenes. Hover to read what each one shows.";
@@ -18,17 +19,42 @@ pub const PRESETS: &str = "Ready-made scenes. Hover to read what each one shows.
 /// Invitation to write a lesson.
 pub const OWN: &str = "A lesson is a text file. Write one of your own, and drop it onto the window.";
 
-/// Returns the number of `lessons`, and how long one takes on average.
-pub fn extent(lessons: &[&Arc<Lesson>]) -> String {
-    let minutes: u32 = lessons.iter().map(|lesson| lesson.minutes).sum();
-    let each = f64::from(minutes) / lessons.len().max(1) as f64;
-    format!("{} lessons of about {each:.0} minutes. Later ones build on earlier ones.", lessons.len())
+/// Returns the line beside the way to the presets.
+pub fn presets() -> String {
+    format!("{} ready-made scenes to look at and to change.", Preset::all().len())
 }
 
-/// Returns the subject of `lesson`, and its duration.
-pub fn details(lesson: &Lesson) -> String {
-    let minutes = format!("{} min", lesson.minutes);
-    if lesson.concept.is_empty() { minutes } else { format!("{}  ·  {minutes}", lesson.concept) }
+/// Returns the number of the lessons of `chapter`, their duration together, and how many of them are done.
+pub fn chapter(chapter: &Chapter<'_>, answers: &Answers) -> String {
+    let (lessons, count) = (&chapter.lessons, chapter.lessons.len());
+    let minutes: u32 = lessons.iter().map(|(_, lesson)| lesson.minutes).sum();
+    let noun = if count == 1 { "lesson" } else { "lessons" };
+    let done = lessons.iter().filter(|(_, lesson)| is_done(lesson, answers)).count();
+    let done = if done == 0 { String::new() } else { format!(" · {done} done") };
+    format!("{count} {noun} · {minutes} min{done}")
+}
+
+/// Returns the titles of the lessons of `chapter`, in lines.
+pub fn titles(chapter: &Chapter<'_>) -> String {
+    let lines = chapter.lessons.iter().map(|(number, lesson)| format!("{number}. {}", lesson.title));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Returns the subject of `lesson`, its duration, and how far its user came.
+pub fn details(lesson: &Lesson, answers: &Answers) -> String {
+    let reached = match answers.progress(lesson) {
+        Some(_) if is_done(lesson, answers) => Some("done".to_owned()),
+        Some(progress) => Some(format!("step {} of {}", progress.place().step + 1, lesson.steps.len())),
+        None => None,
+    };
+    let concept = Some(lesson.concept.clone()).filter(|concept| !concept.is_empty());
+    let parts = [concept, Some(format!("{} min", lesson.minutes)), reached];
+    parts.into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
+}
+
+/// Whether the end of `lesson` was reached.
+fn is_done(lesson: &Lesson, answers: &Answers) -> bool {
+    answers.progress(lesson).is_some_and(|progress| progress.place().step >= lesson.steps.len())
 }
 
 /// Returns the present place in a lesson.
@@ -60,7 +86,7 @@ pub fn plain(markdown: &Markdown, most: usize) -> String {
     });
     let text: String = words.collect();
     let words = text.split_whitespace().collect::<Vec<_>>();
-    let sentences = words.split_inclusive(|word| word.ends_with(['.', '?', ':']));
+    let sentences = words.split_inclusive(|word| word.ends_with(['.', '?']));
     let is_plain = |sentence: &&[&str]| !sentence.iter().any(|word| word.contains(['$', '{']));
     sentences.filter(is_plain).take(most).map(|sentence| sentence.join(" ")).collect::<Vec<_>>().join(" ")
 }

@@ -4,35 +4,48 @@ use std::sync::Arc;
 
 use eframe::egui::{self, Align2, Color32, Galley, Id, Painter, Rect, Sense, TextStyle, Ui, vec2};
 
+use super::markers::marked;
 use super::notes::unseen;
 use crate::app::state::State;
 use crate::app::tools::awake;
+use crate::app::views::instruments;
 use crate::app::views::laid_ruler;
 use crate::app::views::offscreen_arrows;
 use crate::app::views::panes::EyePane;
 use crate::app::views::predicted_place;
 use crate::app::views::slide;
 
-/// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark.
+/// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark; whoever rides has
+/// the instruments there, which leave marked points in sight.
 pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
     let ruler = slide::paint(ui, &inside, state, pane);
     let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
-    offscreen_arrows::paint(ui, &inside, pane.rect, &state.offscreen_arrows(pane.eye, pane.size));
+    let marked = marked(state, pane);
+    let instruments = instruments::show(ui, &inside, state, pane, &marked);
+    let above = instruments.iter().fold(pane.rect.max.y, |top, part| top.min(part.min.y));
+    let arrows = state.offscreen_arrows(pane.eye, pane.size);
+    offscreen_arrows::paint(ui, &inside, pane.rect.with_max_y(above), &arrows);
     let why_dark = unseen(ui, state, pane).unwrap_or_default();
-    let mut notes = inside.clone();
-    notes.set_opacity(notes_opacity(ui, pane, &[&note, &why_dark]));
-    let note = write(ui, &notes, pane, Align2::LEFT_BOTTOM, note);
-    let handlebar = handlebar(ui, &inside, state, pane);
-    // Beside the instruments, where they are.
-    let beside = if handlebar.is_positive() { handlebar.min.x } else { pane.rect.max.x };
-    let free = EyePane { rect: pane.rect.with_max_x(beside), ..pane };
-    let unseen = write(ui, &notes, free, Align2::LEFT_TOP, why_dark);
+    let mut faded = inside.clone();
+    faded.set_opacity(notes_opacity(ui, pane, &[&note, &why_dark]));
+    let notes = if instruments.is_empty() {
+        [(Align2::LEFT_BOTTOM, note), (Align2::LEFT_TOP, why_dark)]
+            .map(|(corner, text)| write(ui, &faded, pane, corner, text))
+            .to_vec()
+    } else {
+        // The handlebar and what is marked stay free.
+        let lines: Vec<_> = [why_dark, note].into_iter().filter(|text| !text.is_empty()).collect();
+        let (text, taken) = (lines.join("\n"), [instruments.as_slice(), &marked].concat());
+        let corner = free_corner(ui, &inside, pane, &text, &taken, UPPER_CORNERS);
+        vec![write(ui, &faded, pane, corner, text)]
+    };
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))
         .or_else(|| newcomers_hint(ui, state));
     if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
-        let corner = free_corner(ui, &inside, pane, &hint, [note, unseen, handlebar]);
+        let taken = [notes.as_slice(), &instruments].concat();
+        let corner = free_corner(ui, &inside, pane, &hint, &taken, LOWER_CORNERS);
         let place = write(ui, &inside, pane, corner, hint.clone());
         let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &hint));
@@ -63,28 +76,6 @@ fn notes_opacity(ui: &Ui, pane: EyePane, notes: &[&String]) -> f32 {
 
 const NOTES: [&str; 2] = ["notes on the first picture", "notes on the second picture"];
 
-/// The greatest part of a picture's height that the instruments cover.
-const SHARE_OF_INSTRUMENTS: f32 = 0.35;
-
-/// Writes the instruments of who rides into the corner of the picture, as many as have room; where that is.
-fn handlebar(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> Rect {
-    let Some(lines) = state.instruments() else { return Rect::ZERO };
-    let line = ui.text_style_height(&TextStyle::Small);
-    let room = (SHARE_OF_INSTRUMENTS * pane.rect.height() / line) as usize;
-    let shown = lines[..room.clamp(1, lines.len())].join("\n");
-    let instruments = lines.join("\n");
-    let place = write(ui, painter, pane, Align2::RIGHT_TOP, shown);
-    let response = ui.interact(place, ui.scope_id().with(("handlebar", pane.eye.index())), Sense::hover());
-    response.widget_info(|| {
-        egui::WidgetInfo::labeled(
-            egui::accesskit::Role::Label,
-            true,
-            format!("{}, instruments: {instruments}", pane.eye.name()),
-        )
-    });
-    place
-}
-
 /// The hint for newcomers in the views, and its duration in seconds.
 const HINT: &str = "Click a point to follow it.";
 const HINT_TIME: f64 = 12.0;
@@ -97,15 +88,26 @@ fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
     (is_shown && awake::is_new(ui.ctx(), HINT, HINT_TIME)).then(|| HINT.to_owned())
 }
 
-/// The first corner in which `text` covers none of the `others`.
-fn free_corner(ui: &Ui, painter: &Painter, pane: EyePane, text: &str, others: [Rect; 3]) -> Align2 {
-    const CORNERS: [Align2; 4] =
-        [Align2::CENTER_BOTTOM, Align2::RIGHT_BOTTOM, Align2::RIGHT_TOP, Align2::CENTER_CENTER];
+/// Places for a hint, and for notes on a ride, the first preferred.
+const LOWER_CORNERS: [Align2; 4] =
+    [Align2::CENTER_BOTTOM, Align2::RIGHT_BOTTOM, Align2::RIGHT_TOP, Align2::CENTER_CENTER];
+const UPPER_CORNERS: [Align2; 4] =
+    [Align2::LEFT_TOP, Align2::RIGHT_TOP, Align2::LEFT_CENTER, Align2::RIGHT_CENTER];
+
+/// The first of the `corners` in which `text` covers none of the `others`; the last where there is none.
+fn free_corner(
+    ui: &Ui,
+    painter: &Painter,
+    pane: EyePane,
+    text: &str,
+    others: &[Rect],
+    corners: [Align2; 4],
+) -> Align2 {
     let is_free = |corner: &Align2| {
         let place = written(ui, painter, pane, *corner, text.to_owned()).1.expand(6.0);
         others.iter().all(|other| !other.is_positive() || !other.expand(6.0).intersects(place))
     };
-    CORNERS.into_iter().find(is_free).unwrap_or(Align2::CENTER_CENTER)
+    corners.into_iter().find(is_free).unwrap_or(corners[3])
 }
 
 /// `text` laid out in a corner of the picture, and where that is.

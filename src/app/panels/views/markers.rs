@@ -1,6 +1,6 @@
 //! Markers at the places where an eye sees the followed points, and their clocks.
 
-use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, TextStyle, Ui, vec2};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, TextStyle, Ui, Vec2, vec2};
 use relativity_render::{PreparedScene, View};
 
 use crate::app::state::State;
@@ -11,6 +11,9 @@ use crate::app::views::panes::EyePane;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
 use crate::flags::choices::Form;
+
+/// Radius of the marker of the selected point.
+const LARGEST_RING: f32 = 6.0;
 
 /// A coat of a marker's paint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,7 +29,7 @@ pub fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: C
     let (scene, visuals) = (&state.document.prepared, ui.visuals());
     for (index, point) in state.document.points.all().iter().enumerate() {
         let Some(marker) = Marker::new(state, point, &view, scene, pane.eye) else { continue };
-        let radius = if index == state.document.points.selected_index() { 6.0 } else { 4.5 };
+        let radius = if index == state.document.points.selected_index() { LARGEST_RING } else { 4.5 };
         let place = pane.place(marker.pixel);
         if coat == Coat::Halo {
             Marker::paint_halo(painter, place, radius, layouts::halo_colour(state, visuals));
@@ -47,6 +50,31 @@ pub fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: C
     if coat == Coat::Ring && can_be_read(state, pane) {
         dial::show_resting(ui, state, pane.eye, pane.rect);
     }
+}
+
+/// Returns the places in `pane` of what is marked there, with the clocks beside it: of every followed point in
+/// the picture.
+pub fn marked(state: &State, pane: EyePane) -> Vec<Rect> {
+    let camera = state.view(pane.eye, pane.size).camera;
+    let points = state.document.points.all().iter();
+    let directions = points.filter_map(|point| Some((point, state.direction(point, pane.eye)?)));
+    let places = directions.filter_map(|(point, direction)| {
+        let place = pane.place(camera.pixel(direction)?);
+        let is_inside = place.is_finite() && pane.rect.contains(place);
+        is_inside.then(|| {
+            let ring = Rect::from_center_size(place, Vec2::splat(2.0 * LARGEST_RING));
+            let has_clock = state.dial(point, pane.eye).is_some();
+            let with_clock = if has_clock { ring.union(dial::place(place, pane.rect)) } else { ring };
+            let has_distance = state.document.settings.window.distances;
+            if has_distance { with_clock.union(below(place)) } else { with_clock }
+        })
+    });
+    places.collect()
+}
+
+/// Room below a marker at `place` for its distance.
+fn below(place: Pos2) -> Rect {
+    Rect::from_min_size(place + vec2(-70.0, 0.0), vec2(140.0, 2.0 * BELOW_MARKER + 8.0))
 }
 
 /// Whether a clock in `pane` does not stand where the other eye's does.

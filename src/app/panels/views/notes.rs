@@ -26,7 +26,8 @@ pub fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_ma
     let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
     let street = street_note(state).map(str::to_owned);
-    [geometry, model, projection, colour, street, method, heat_map]
+    let readiness = state.frame.is_getting_ready.then(|| "getting ready".to_owned());
+    [readiness, geometry, model, projection, colour, street, method, heat_map]
         .into_iter()
         .flatten()
         .collect::<Vec<_>>()

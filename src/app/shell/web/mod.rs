@@ -85,7 +85,8 @@ async fn open(runner: WebRunner) {
         if let Some(render_state) = &cc.wgpu_render_state {
             painting::install(&cc.egui_ctx, render_state);
         }
-        let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
+        let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state);
+        let app = app.preparing_in_background(&cc.egui_ctx).kept_by(keeper);
         Ok(Box::new(PageApp::new(app, own, cc)) as Box<dyn eframe::App>)
     };
     match runner.start(canvas, options, Box::new(create)).await {

@@ -4,6 +4,7 @@ use glam::DVec3;
 use relativity_core::{ObserverVelocity, Speed};
 
 use crate::flags::StreetVelocity;
+use crate::flags::choices::Layout;
 use crate::settings::{Rider, Riding};
 
 /// A command of the rider.
@@ -17,6 +18,8 @@ pub enum RideCommand {
     Reach(StreetVelocity),
     /// Faces where one moves: the head and the gaze, as high as that was.
     Face,
+    /// Shows the keys, the odometers and the place again for a while.
+    Remind,
     /// Pushes in this direction for this step of the rider's clock.
     Push(PushDirection, f64),
 }
@@ -47,6 +50,10 @@ pub struct Saddle {
     pub is_taken: bool,
     /// The push that is held.
     pub push: Option<Push>,
+    /// The layout before one got on, which getting off gives back.
+    pub layout_before: Option<Layout>,
+    /// How often the rider asked for keys, odometers and place.
+    pub requests: u32,
 }
 
 /// A push that is held.

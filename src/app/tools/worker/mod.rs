@@ -14,4 +14,4 @@ pub use instance::{BackgroundWork, serve};
 pub use steps::sent;
 pub use steps::{StepOutcome, Wanted, Work};
 #[cfg(feature = "desktop")]
-pub use thread::BackgroundWork;
+pub use thread::{BackgroundWork, Worker};

@@ -6,7 +6,7 @@ mod meter;
 mod request;
 mod slot;
 
-use eframe::egui::Context;
+use eframe::egui::{Context, TextureId};
 use eframe::egui_wgpu::RenderState;
 use relativity_render::{Composer, Composition, Gpu, GpuError, Method, Renderers};
 
@@ -19,6 +19,7 @@ use self::slot::{ComposedPicture, DrawnBy, EyePicture, fitting, fitting_composed
 use crate::accuracy::MethodViews;
 use crate::app::tools::graphics;
 use crate::app::tools::painting;
+use crate::app::tools::preparing::Preparing;
 use crate::flags::Goal;
 
 /// Both eyes' pictures, and what draws them.
@@ -28,9 +29,15 @@ pub struct EyePictures {
     renderers: Renderers,
     meter: Meter,
     pictures: [Option<EyePicture>; 2],
+    /// Textures of the pictures before, which are shown until the new ones stand alone.
+    set_aside: Vec<TextureId>,
     backgrounds: [Option<Background>; 2],
     composer: Option<Composer>,
     composed: Option<ComposedPicture>,
+    /// Makes pipelines in the background, where they are not made when a picture needs them.
+    preparing: Option<Preparing>,
+    /// Whether a picture waits for its pipelines since the last call of [`Self::take_waiting`].
+    is_waiting: bool,
     /// Number of pictures drawn.
     drawings: u64,
     /// Why the device no longer draws, once it has refused to: from then on the reference does.
@@ -44,25 +51,41 @@ impl EyePictures {
     #[must_use]
     pub fn new(render_state: &RenderState) -> Self {
         let gpu = graphics::gpu(render_state);
+        let renderers = Renderers::new(Some(gpu.clone()));
         Self {
-            renderers: Renderers::new(Some(gpu.clone())),
-            meter: Meter::new(&gpu),
+            meter: Meter::new(&gpu, renderers.has_packets()),
+            renderers,
             gpu,
             render_state: render_state.clone(),
             pictures: [None, None],
+            set_aside: Vec::new(),
             backgrounds: [None, None],
             composer: None,
             composed: None,
+            preparing: None,
+            is_waiting: false,
             drawings: 0,
             refusal: None,
             is_unreported: false,
         }
     }
 
+    /// Has pipelines made in the background from now on; until they are there, the packets draw in their
+    /// place, or the last picture stands.
+    pub fn prepare_in_background(&mut self, ctx: &Context) {
+        self.preparing = Some(Preparing::new(ctx, &self.gpu));
+    }
+
     /// None yet, for another window of the same device.
     #[must_use]
-    pub fn another(&self) -> Self {
-        Self { refusal: self.refusal.clone(), ..Self::new(&self.render_state) }
+    pub fn another(&self, ctx: &Context) -> Self {
+        let preparing = self.preparing.as_ref().map(|_| Preparing::new(ctx, &self.gpu));
+        Self { preparing, refusal: self.refusal.clone(), ..Self::new(&self.render_state) }
+    }
+
+    /// Whether a picture has had to wait for its pipelines since the last call.
+    pub const fn take_waiting(&mut self) -> bool {
+        std::mem::replace(&mut self.is_waiting, false)
     }
 
     /// Returns the reason why the device no longer draws, if it has refused since the last call.
@@ -86,6 +109,7 @@ impl EyePictures {
     #[must_use]
     pub fn is_settled(&self) -> bool {
         !self.backgrounds.iter().flatten().any(|background| background.is_awaited)
+            && !self.preparing.as_ref().is_some_and(Preparing::is_pending)
     }
 
     /// Whether no picture is to get smoother.
@@ -112,7 +136,7 @@ impl EyePictures {
         let shown = if self.refusal.is_some() {
             Ok(self.picture_by_reference(ctx, index, request))
         } else {
-            self.picture_by_method(ctx, index, request).map(Some)
+            self.picture_by_method(ctx, index, request)
         };
         if let Ok(Some(ShownPicture { texture, .. })) = shown
             && self.drawings != before
@@ -135,13 +159,14 @@ impl EyePictures {
         }
     }
 
-    /// Draws the picture by the method of the request.
+    /// Draws the picture by the method of the request; until that is ready it is the last one, if there is
+    /// one.
     fn picture_by_method(
         &mut self,
         ctx: &Context,
         index: usize,
         request: &Request,
-    ) -> Result<ShownPicture, GpuError> {
+    ) -> Result<Option<ShownPicture>, GpuError> {
         let Self { render_state, gpu, renderers, meter, pictures, backgrounds, drawings, .. } = self;
         let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
         let background = &mut backgrounds[index];
@@ -159,14 +184,20 @@ impl EyePictures {
         };
         if let Some((FinishedPicture { picture: made, samples, .. }, method)) = made {
             let by = DrawnBy { method, samples: Some(*samples) };
-            return picture.shown(request, by, drawings, |target| {
+            let shown = picture.shown(request, by, drawings, |target| {
                 target.write(gpu, made);
                 Ok(method)
             });
+            return shown.map(Some);
         }
-        picture.shown(request, DrawnBy { method, samples: None }, drawings, |target| {
+        let Some(method) = at_hand(self.preparing.as_ref(), renderers, request, method) else {
+            self.is_waiting = true;
+            return Ok(picture.last());
+        };
+        let shown = picture.shown(request, DrawnBy { method, samples: None }, drawings, |target| {
             meter.draw(renderers, gpu, request, method, target)
-        })
+        });
+        shown.map(Some)
     }
 
     /// Returns the newest picture by the reference, if that draws the request and has drawn any.
@@ -217,8 +248,23 @@ impl EyePictures {
         Some(ShownPicture { texture: composed.texture, method })
     }
 
+    /// Keeps the pictures as they are, while others are drawn in their place.
+    pub fn set_aside(&mut self) {
+        self.forget_set_aside();
+        let pictures = self.pictures.iter_mut().filter_map(Option::take).map(|picture| picture.texture);
+        self.set_aside = pictures.chain(self.composed.take().map(|composed| composed.texture)).collect();
+    }
+
+    /// Gives up what was set aside.
+    pub fn forget_set_aside(&mut self) {
+        for texture in self.set_aside.drain(..) {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+    }
+
     /// Gives up all pictures, as nobody looks.
     pub fn forget(&mut self) {
+        self.forget_set_aside();
         self.forget_composed();
         for EyePicture { texture, .. } in self.pictures.iter_mut().filter_map(Option::take) {
             self.render_state.renderer.write().free_texture(&texture);
@@ -232,4 +278,20 @@ impl EyePictures {
             self.render_state.renderer.write().free_texture(&texture);
         }
     }
+}
+
+/// Returns the method that draws `request` now: the one it is for, or the packets while its pipelines are
+/// being made; `None` if only that one draws it.
+fn at_hand(
+    preparing: Option<&Preparing>,
+    renderers: &Renderers,
+    request: &Request,
+    method: Method,
+) -> Option<Method> {
+    let Some(preparing) = preparing else { return Some(method) };
+    let Request { scene, view, appearance, .. } = request;
+    let missing = renderers.missing(method, scene, view, appearance);
+    preparing.go_on(&missing);
+    let packets = Method::Packets.of_view(view) == Method::Packets && renderers.has_packets();
+    if missing.is_empty() { Some(method) } else { packets.then_some(Method::Packets) }
 }

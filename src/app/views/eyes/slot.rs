@@ -35,6 +35,11 @@ pub struct ComposedPicture {
 }
 
 impl EyePicture {
+    /// Returns what was drawn last, whatever is wanted by now.
+    pub fn last(&self) -> Option<ShownPicture> {
+        self.drawn.as_ref().map(|&(.., method)| ShownPicture { texture: self.texture, method })
+    }
+
     /// Returns the picture, after `draw` has drawn the request `by` this method or what it says stood in for
     /// that, unless it is up to date.
     pub fn shown(

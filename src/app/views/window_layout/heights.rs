@@ -21,8 +21,10 @@ const VIEW_ASPECT: f32 = 0.75;
 const PICTURES_SHARE: f32 = 0.5;
 /// Height that pictures have among few controls where there is room, in widths.
 const FEW_ASPECT: f32 = 0.9;
-/// Lowest strip of plots below such pictures: of one plot alone, and with tabs above it.
-const LOWEST_STRIPS: [f32; 2] = [140.0, 150.0];
+/// Lowest strips of plots below such pictures: of one plot alone, with tabs above it, and with two rows of
+/// these where they are narrower than this.
+const LOWEST_STRIPS: [f32; 3] = [140.0, 150.0, 190.0];
+const NARROWEST_TABS: f32 = 700.0;
 /// Share of the height that the plots take from the views where these give way.
 const PLOTS_SHARE: f32 = 0.38;
 /// Height that the fit with its table and residuals needs, or the map beside plots; no more than half, unless
@@ -69,7 +71,11 @@ impl Heights {
             high
         } else {
             let pictures = pictures_height(arranged, vec2(size.x, free), needs.window, window.simple);
-            let lowest = LOWEST_STRIPS[usize::from(!window.simple)];
+            let lowest = match window.simple {
+                true => LOWEST_STRIPS[0],
+                false if size.x >= NARROWEST_TABS => LOWEST_STRIPS[1],
+                false => LOWEST_STRIPS[2],
+            };
             (free - pictures).max(lowest).min(high)
         };
         Self { words, free, lowest, strip }

@@ -35,11 +35,16 @@ pub const TECHNIQUE: Technique = Technique {
     constant: None,
 };
 
+/// Returns the technique on `gpu`.
+pub fn technique(gpu: &Gpu) -> Technique {
+    let picture = if gpu.has_sample_masks() { TECHNIQUE.picture } else { "picture_sample" };
+    Technique { picture, ..TECHNIQUE }
+}
+
 impl RayRenderer {
     /// A renderer on `gpu` that looks for bodies within `bounds`; pipelines are made when first needed.
     pub fn new(gpu: &Gpu, canvas: &Canvas, bounds: Bounds) -> Self {
-        let picture = if gpu.has_sample_masks() { TECHNIQUE.picture } else { "picture_sample" };
-        let pipelines = Pipelines::new(Technique { picture, ..TECHNIQUE }, canvas.body_layout(gpu));
+        let pipelines = Pipelines::new(technique(gpu), canvas.body_layout(gpu));
         Self { bounds, pieces: Pieces::default(), batches: Batches::new(pipelines) }
     }
 }

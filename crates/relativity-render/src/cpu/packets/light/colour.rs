@@ -86,15 +86,17 @@ pub struct Hatched<'a> {
 }
 
 impl Hatched<'_> {
-    /// The grey of light with this unseen share.
+    /// Linear sRGB of light with this unseen share.
     #[inline(always)]
-    fn grey<S: Simd>(self, unseen: F<S>) -> F<S> {
+    fn colour<S: Simd>(self, unseen: F<S>) -> V3<S> {
         let shares: [f32; LANES] = unseen.into();
-        let grey = |lane: usize| {
+        let colours: [[f64; 3]; LANES] = from_fn(|lane| {
             let place = pixel_of_lane(self.corner, lane).map(f64::from);
-            self.hatch.grey(shares[lane].into(), place) as f32
-        };
-        F::simd_from(unseen.simd, from_fn(grey))
+            self.hatch.colour(shares[lane].into(), place)
+        });
+        let [red, green, blue] =
+            [0, 1, 2].map(|part| F::simd_from(unseen.simd, from_fn(|lane| colours[lane][part] as f32)));
+        V3::new(red, green, blue)
     }
 }
 
@@ -114,8 +116,7 @@ pub fn received_colour<S: Simd>(
     let simd = doppler.simd;
     let ScreenLights { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing);
     if let Some(unseen) = unseen {
-        let grey = hatched.grey(unseen);
-        colour += V3::new(grey, grey, grey);
+        colour += hatched.colour(unseen);
     }
     if !effects.form {
         return colour;
@@ -142,8 +143,8 @@ mod tests {
 
     /// The reference's colour in the pixel of this lane.
     fn expected(shown: ScreenLight, hatch: &Hatch, lane: usize) -> [f64; 3] {
-        let grey = hatch.grey(shown.unseen, pixel_of_lane(CORNER, lane).map(f64::from));
-        shown.colour.map(|part| part + grey)
+        let hatched = hatch.colour(shown.unseen, pixel_of_lane(CORNER, lane).map(f64::from));
+        from_fn(|i| shown.colour[i] + hatched[i])
     }
 
     fn appearances() -> Vec<Appearance> {
