@@ -10,6 +10,9 @@ pub enum Compare {
     /// No second picture of one eye: the pictures are those of two eyes.
     #[default]
     Off,
+    /// On a ride, the left eye's picture of whoever stands where the rider is: at the same place and time, at
+    /// rest on the street.
+    Standing,
     /// The left eye's picture as seen.
     Seen,
     /// The left eye's picture contracted only: where everything is measured to be at T, what Gamow drew.

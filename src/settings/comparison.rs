@@ -34,6 +34,9 @@ pub enum ComparisonError {
     /// D is 1 everywhere.
     #[error("--compare paper needs the Doppler effect, --geometry seen: without it D is 1 everywhere")]
     NoDoppler,
+    /// Eyes that do not ride stand already.
+    #[error("--compare standing needs a ride, --ride coast or legs: these eyes stand already")]
+    NoRide,
     /// The first picture is the same already.
     #[error("--compare: the first picture shows this already, so both would be alike")]
     Alike,
@@ -66,8 +69,12 @@ impl Settings {
         if compare == Compare::Paper {
             self.check_exponent()?;
         }
+        if compare == Compare::Standing && !self.ride.is_on() {
+            return Err(ComparisonError::NoRide);
+        }
         let second = self.compared_with(compare);
-        let is_same = (second.look.geometry, second.light) == (self.look.geometry, self.light);
+        let is_same = (second.look.geometry, second.light, &second.ride)
+            == (self.look.geometry, self.light, &self.ride);
         if is_same && !compare.is_off() { Err(ComparisonError::Alike) } else { Ok(()) }
     }
 
@@ -95,7 +102,7 @@ impl Settings {
     }
 
     /// Has the next choice of what a picture is compared with; in a layout that shows no two pictures apart,
-    /// side by side.
+    /// side by side. A ride that is compared with nothing is one picture again.
     pub(crate) fn compare_next(&mut self) {
         if self.check_two_pictures().is_err() {
             self.picture.layout = Layout::SideBySide;
@@ -103,6 +110,9 @@ impl Settings {
         self.look.compare = further(&self.look.compare, 1);
         while self.check_comparison().is_err() {
             self.look.compare = further(&self.look.compare, 1);
+        }
+        if self.look.compare.is_off() && self.ride.is_on() {
+            self.picture.layout = Layout::Left;
         }
     }
 
@@ -118,7 +128,7 @@ impl Settings {
             Compare::Seen => Geometry::Seen,
             Compare::Contracted => Geometry::Contracted,
             Compare::Rest => Geometry::Rest,
-            Compare::Off | Compare::Paper => self.look.geometry,
+            Compare::Off | Compare::Standing | Compare::Paper => self.look.geometry,
         };
         let light = match compare {
             Compare::Paper => LightSettings {
@@ -128,7 +138,8 @@ impl Settings {
             _ => self.light,
         };
         let look = LookSettings { geometry, compare: Compare::Off, ..self.look };
-        Self { look, light, ..self.clone() }
+        let ride = if compare == Compare::Standing { self.ride.standing() } else { self.ride.clone() };
+        Self { ride, look, light, ..self.clone() }
     }
 
     /// Returns the settings of the second picture with the field of view that both pictures of this `subject`
@@ -163,6 +174,9 @@ impl Settings {
     #[must_use]
     pub fn compared_names(&self) -> Option<[String; 2]> {
         let second = self.second()?;
+        if self.look.compare == Compare::Standing {
+            return Some(["riding", "standing here"].map(str::to_owned));
+        }
         let name = |settings: &Self| match self.look.compare {
             Compare::Paper => name_of_exponent(settings.light.intensity_exponent.0),
             _ => name_of(settings.geometry()).to_owned(),
@@ -189,5 +203,49 @@ fn name_of_exponent(exponent: Option<f64>) -> String {
         Some(SPECIFIC_INTENSITY_EXPONENT) => "D³ photons".to_owned(),
         Some(BOLOMETRIC_INTENSITY_EXPONENT) => "D⁴ surface".to_owned(),
         Some(exponent) => format!("D to {}", number_text::trimmed(exponent, 3)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    use relativity_render::Velocity;
+
+    use super::super::ride::riding;
+    use super::*;
+
+    /// Whoever stands beside a rider is at the same event and at rest, and holds the head as the rider does.
+    #[test]
+    fn who_stands_beside_a_rider_is_at_the_same_event_and_at_rest() {
+        for legs in ["coast", "2@1,3@0,1@-0.5", "1@0.5,2@0:1"] {
+            let ride = riding(legs, "0.6");
+            let standing = ride.standing();
+            for time in [0.0, 1.5, 4.0, 9.0] {
+                let [rider, beside] = [&ride, &standing].map(|ride| ride.rider(time));
+                assert_eq!(
+                    (beside.x, beside.aside, beside.street_time),
+                    (rider.x, rider.aside, rider.street_time)
+                );
+                assert_eq!(beside.velocity, Velocity::REST);
+                assert_eq!(beside.observer().velocity.speed().rapidity().to_bits(), 0);
+                let ahead = DVec3::X;
+                assert_eq!(beside.from_head(ahead), rider.from_head(ahead));
+            }
+        }
+    }
+
+    #[test]
+    fn only_a_ride_is_compared_with_standing() {
+        let mut settings = Settings::default();
+        assert_eq!(settings.check_compared_with(Compare::Standing), Err(ComparisonError::NoRide));
+        settings.ride = riding("coast", "0.9");
+        assert_eq!(settings.check_compared_with(Compare::Standing), Ok(()));
+        settings.picture.layout = Layout::Left;
+        settings.compare_next();
+        assert_eq!((settings.look.compare, settings.picture.layout), (Compare::Standing, Layout::SideBySide));
+        while !settings.look.compare.is_off() {
+            settings.compare_next();
+        }
+        assert_eq!(settings.picture.layout, Layout::Left);
     }
 }

@@ -56,6 +56,10 @@ pub struct Riding {
     /// clock: what an accelerometer on the bicycle shows.
     #[arg(long, value_name = "A", value_parser = within(PUSH), allow_hyphen_values = true)]
     pub push: f64,
+    /// Whether the eyes stand wherever the ride has led them: those of the picture beside the rider's.
+    #[arg(skip)]
+    #[serde(skip)]
+    pub stands: bool,
 }
 
 impl Default for Riding {
@@ -68,6 +72,7 @@ impl Default for Riding {
             ride_azimuth: 0.0,
             ride_elevation: 0.0,
             push: 0.25,
+            stands: false,
         }
     }
 }
@@ -115,6 +120,11 @@ impl Riding {
     /// Whether the ride is not all along the street towards +x or back.
     pub(super) fn has_own_line(&self) -> bool {
         self.direction() != [1.0, 0.0, 0.0] || !self.is_straight()
+    }
+
+    /// Returns the eyes that stand, at each moment, where this ride has led them.
+    pub(super) fn standing(&self) -> Self {
+        Self { stands: true, ..self.clone() }
     }
 
     /// Whether the eyes ride.

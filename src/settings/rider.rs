@@ -40,7 +40,9 @@ impl Riding {
     pub fn rider(&self, time: f64) -> Rider {
         let Some(legs) = self.ride.0.as_deref() else { return Rider::at_rest(time) };
         let moment = self.start().along(legs, time);
-        if self.is_straight() { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) }
+        let rider =
+            if self.is_straight() { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) };
+        if self.stands { rider.standing() } else { rider }
     }
 
     /// Returns when the clock of the ride shows that light arrives between the eyes which left `place`, from
@@ -70,6 +72,11 @@ impl Rider {
             head,
             ahead: AHEAD,
         }
+    }
+
+    /// Whoever stands where this rider is, with the head held alike.
+    const fn standing(self) -> Self {
+        Self { velocity: Velocity::REST, on_ground: ObserverVelocity::REST, ..self }
     }
 
     /// The `moment` of a straight ride, which has the line of `riding` as x.

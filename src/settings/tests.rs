@@ -80,6 +80,7 @@ fn riding() -> impl Strategy<Value = Riding> {
             ride_azimuth,
             ride_elevation,
             push,
+            ..Riding::default()
         },
     )
 }

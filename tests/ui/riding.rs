@@ -34,6 +34,7 @@ pub const TESTS: &[Test] = trials![
     the_large_speed_is_ones_own,
     the_throttle_is_reached_by_pedalling,
     instruments_cover_nothing_that_is_marked,
+    a_ride_is_compared_with_standing_at_the_same_place,
 ];
 
 fn street() -> State {
@@ -502,7 +503,7 @@ fn instruments_cover_nothing_that_is_marked() {
                 window.state_mut().run(PlaybackCommand::GoTo(time));
                 window.run_steps(2);
                 let Some(node) = window.query_by(|node| {
-                    node.label().is_some_and(|label| label.starts_with("Left eye, instruments"))
+                    node.value().is_some_and(|text| text.starts_with("Left eye, instruments"))
                 }) else {
                     panic!("{name} at {size:?} has no instruments")
                 };
@@ -530,4 +531,24 @@ fn marked(window: &Harness<'_, App>, picture: Rect) -> Vec<Pos2> {
         .map(|[u, v]| picture.min + vec2(u as f32, v as f32))
         .filter(|place| picture.contains(*place))
         .collect()
+}
+
+fn a_ride_is_compared_with_standing_at_the_same_place() {
+    let mut window = wide_window(preset("ride-lamps"));
+    window.state_mut().run(SettingsCommand::Switch(Switch::Comparison));
+    window.run_steps(3);
+    assert!(window.query_by_label("Left eye view: standing here").is_some());
+    let [riding, standing] = ["Left eye, instruments", "Second picture, instruments"]
+        .map(|name| label_starting_with(&window, name));
+    assert!(riding.contains("my speed 0.900") && standing.contains("my speed 0.000"), "{standing}");
+    for instruments in [riding, standing] {
+        for part in ["clock of the street here 22.94", "I am at x = 20.65"] {
+            assert!(instruments.contains(part), "{part} in {instruments}");
+        }
+    }
+    assert_sane(state(&window));
+    window.key_press(Key::I);
+    window.run_steps(2);
+    assert!(window.query_by_label("Right eye view").is_some());
+    assert_sane(state(&window));
 }

@@ -106,7 +106,7 @@ pub static ACTIONS: &[Action] = &[
     action("show the scene at rest", &[key(Key::Num3)], geometry(Geometry::Rest)),
     action("give both eyes one light cone", &[key(Key::Num4)], geometry(Geometry::OneCone)),
     action(
-        "compare two pictures of one eye: as seen, contracted, at rest, D²",
+        "compare two pictures of one eye: as seen, contracted, at rest, D²; on a ride, standing",
         &[key(Key::B)],
         switch(Switch::Comparison),
     ),

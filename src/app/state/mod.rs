@@ -295,7 +295,8 @@ impl State {
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
         let Document { settings, scene, time, .. } = &self.document;
-        let is_automatic = settings.light.exposure.0.is_none();
+        // Whoever stands beside the rider has the exposure of the street at rest.
+        let is_automatic = settings.light.exposure.0.is_none() && !settings.ride.stands;
         match self.scratch.comfort.exposure_ev().filter(|_| is_automatic) {
             Some(exposure_ev) => settings.appearance_at(exposure_ev, scene, light_window),
             None => settings.appearance(scene, *time, light_window),

@@ -21,7 +21,7 @@ const LINE_SHARE: f64 = 0.25;
 const DARK: [f64; 2] = [0.14, 0.30];
 const LIGHT: [f64; 2] = [0.020, 0.090];
 /// Between the lines infrared has so much of red, green and blue, which leaves the luminance as it is.
-const WARM: [f64; 3] = [1.45, 0.9, 0.6];
+const WARM: [f64; 3] = [1.3, 0.94, 0.72];
 
 /// The hatch of one picture.
 #[derive(Debug, Clone, Copy, PartialEq)]

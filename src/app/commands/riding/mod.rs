@@ -10,7 +10,7 @@ use crate::app::state::notice::Notice;
 use crate::app::state::riding::comfort::RideComfort;
 use crate::app::state::riding::saddle::{Push, PushDirection, RideCommand, Saddle};
 use crate::app::tools::clock;
-use crate::flags::choices::{GazeChoice, Layout};
+use crate::flags::choices::{Compare, GazeChoice, Layout};
 use crate::flags::{FieldOfView, RideLegs, SpeedParameter, SpeedSetting, StreetVelocity};
 use crate::settings::{LookSettings, MotionSettings, Riding, Settings};
 
@@ -104,6 +104,9 @@ impl State {
         let MotionSettings { roll, turn, depth_shift, height_shift, .. } = default.motion;
         settings.motion = MotionSettings { roll, turn, depth_shift, height_shift, ..settings.motion };
         settings.look = LookSettings { gaze: default.look.gaze, fov: default.look.fov, ..settings.look };
+        if settings.look.compare == Compare::Standing {
+            settings.look.compare = Compare::Off;
+        }
         if settings.picture.layout == Layout::Left {
             settings.picture.layout = self.scratch.saddle.layout_before.unwrap_or(default.picture.layout);
         }

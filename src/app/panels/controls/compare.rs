@@ -10,8 +10,9 @@ use crate::flags::choices::Compare;
 use crate::settings::{ComparisonError, LookSettings, about, meaning};
 
 /// The choices with their names.
-const CHOICES: [(Compare, &str); 5] = [
+const CHOICES: [(Compare, &str); 6] = [
     (Compare::Off, "nothing: two eyes"),
+    (Compare::Standing, "standing here"),
     (Compare::Seen, "as seen"),
     (Compare::Contracted, "contracted"),
     (Compare::Rest, "at rest"),
@@ -24,6 +25,7 @@ const fn problem_text(problem: &ComparisonError) -> &'static str {
         ComparisonError::Layout(_) => "Needs the layout side by side or over-under.",
         ComparisonError::Headset => "A headset shows two eyes.",
         ComparisonError::Light => "D² needs the light “One λ”: no other has an exponent.",
+        ComparisonError::NoRide => "Needs a ride: you stand already.",
         ComparisonError::Alike => "The first picture shows this already.",
         ComparisonError::NoDoppler => "D² needs the geometry as seen: else D is 1 everywhere.",
     }

@@ -145,7 +145,12 @@ fn bodies_speed(
     let is_large = !state.document.settings.ride.is_on();
     let told = if is_large { state.told_speed_text() } else { state.bodies_speed_text()? };
     let (current, default) = (motion.speed, state.defaults().motion.speed);
-    speed::show(ui, SpeedControl { current, default, told: &told, is_own: false, is_large, fields })
+    let control = SpeedControl { current, default, told: &told, is_own: false, is_large, fields };
+    if is_large {
+        return speed::show(ui, control);
+    }
+    // Below the rider's own, whose parts have the same names.
+    ui.push_id("bodies", |ui| speed::show(ui, control)).inner
 }
 
 fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut MotionSettings, default: MotionSettings) {

@@ -23,29 +23,32 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
     let marked = marked(state, pane);
     let instruments = instruments::show(ui, &inside, state, pane, &marked);
-    let above = instruments.iter().fold(pane.rect.max.y, |top, part| top.min(part.min.y));
-    let arrows = state.offscreen_arrows(pane.eye, pane.size);
-    offscreen_arrows::paint(ui, &inside, pane.rect.with_max_y(above), &arrows);
+    let places = instruments.places.clone();
     let why_dark = unseen(ui, state, pane).unwrap_or_default();
     let mut faded = inside.clone();
     faded.set_opacity(notes_opacity(ui, pane, &[&note, &why_dark]));
-    let notes = if instruments.is_empty() {
+    let notes = if places.is_empty() {
         [(Align2::LEFT_BOTTOM, note), (Align2::LEFT_TOP, why_dark)]
             .map(|(corner, text)| write(ui, &faded, pane, corner, text))
             .to_vec()
     } else {
         // The handlebar and what is marked stay free.
         let lines: Vec<_> = [why_dark, note].into_iter().filter(|text| !text.is_empty()).collect();
-        let (text, taken) = (lines.join("\n"), [instruments.as_slice(), &marked].concat());
+        let (text, taken) = (lines.join("\n"), [places.as_slice(), &marked].concat());
         let corner = free_corner(ui, &inside, pane, &text, &taken, UPPER_CORNERS);
         vec![write(ui, &faded, pane, corner, text)]
     };
+    let covered = [places.as_slice(), &notes].concat();
+    let way = instruments.write_beside(&inside, pane.rect, &[covered.as_slice(), &marked].concat());
+    let covered: Vec<_> = covered.into_iter().chain(way).collect();
+    let above = places.iter().fold(pane.rect.max.y, |top, part| top.min(part.min.y));
+    let arrows = state.offscreen_arrows(pane.eye, pane.size);
+    offscreen_arrows::paint(ui, &inside, pane.rect.with_max_y(above), &arrows, &covered);
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))
         .or_else(|| newcomers_hint(ui, state));
     if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
-        let taken = [notes.as_slice(), &instruments].concat();
-        let corner = free_corner(ui, &inside, pane, &hint, &taken, LOWER_CORNERS);
+        let corner = free_corner(ui, &inside, pane, &hint, &covered, LOWER_CORNERS);
         let place = write(ui, &inside, pane, corner, hint.clone());
         let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &hint));
@@ -92,7 +95,7 @@ fn newcomers_hint(ui: &Ui, state: &State) -> Option<String> {
 const LOWER_CORNERS: [Align2; 4] =
     [Align2::CENTER_BOTTOM, Align2::RIGHT_BOTTOM, Align2::RIGHT_TOP, Align2::CENTER_CENTER];
 const UPPER_CORNERS: [Align2; 4] =
-    [Align2::LEFT_TOP, Align2::RIGHT_TOP, Align2::LEFT_CENTER, Align2::RIGHT_CENTER];
+    [Align2::LEFT_TOP, Align2::RIGHT_TOP, Align2::RIGHT_CENTER, Align2::LEFT_TOP];
 
 /// The first of the `corners` in which `text` covers none of the `others`; the last where there is none.
 fn free_corner(

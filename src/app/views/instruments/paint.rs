@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Color32, FontId, Galley, Painter, Rect, Sense, TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Galley, Painter, Rect, Sense, TextStyle, Ui, Vec2, WidgetInfo, vec2,
 };
 
 use super::{Instruments, Places, dial};
@@ -63,10 +63,24 @@ impl Plate {
     }
 }
 
+/// The instruments that are in a picture, and what is still to be written beside them.
+#[derive(Debug, Clone, Default)]
+pub struct Shown {
+    /// Places of the dial and of the plates.
+    pub places: Vec<Rect>,
+    /// Odometers, place and keys, as far as they are shown; a line each.
+    lines: Vec<String>,
+    /// Opacity of these, 0 to 1.
+    opacity: f32,
+    /// Size of the labels, points.
+    label: f32,
+}
+
 /// Paints the instruments of whoever rides into the picture of `pane`, off the marks that are to stay in
-/// sight; returns their places, of the dial and the plates first.
-pub fn show(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, free: &[Rect]) -> Vec<Rect> {
-    let Some(instruments) = state.instruments() else { return Vec::new() };
+/// sight.
+#[must_use]
+pub fn show(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, free: &[Rect]) -> Shown {
+    let Some(instruments) = state.instruments() else { return Shown::default() };
     let small = TextStyle::Small.resolve(ui.style()).size;
     let [width, height] = [pane.rect.width(), pane.rect.height()];
     let label = (LABEL_SHARE * height).min(LABEL_OF_WIDTH * width).max(small);
@@ -82,24 +96,22 @@ pub fn show(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, free: &[Re
     let mut found: Vec<_> = found.collect();
     let with_plates = found.iter().position(|(places, _)| places.is_some_and(|it| it.plates.is_some()));
     let (places, plates) = found.swap_remove(with_plates.unwrap_or(0));
-    let Some(places) = places else { return Vec::new() };
+    let Some(places) = places else { return Shown::default() };
     dial::paint(painter, &laid, instruments.rapidity, places.dial.center(), Color32::from_black_alpha(BACK));
     for (plate, rect) in plates.into_iter().zip(places.plates.into_iter().flatten()) {
         plate.paint(painter, rect);
     }
     let is_pointed = say(ui, pane, &instruments, places);
+    let shown = Shown { places: places.parts().collect(), label, ..Shown::default() };
+    if pane.is_second {
+        return shown;
+    }
     let fresh = if is_pointed { 1.0 } else { freshness(ui, state) };
-    let mut taken: Vec<Rect> = places.parts().collect();
     // A lesson may ask about the way.
     let is_asked = state.session.lesson.is_some();
-    let way = instruments.way.iter().map(String::as_str).filter(|_| is_asked || fresh > 0.0);
-    let lines: Vec<_> = way.chain(instruments.keys.iter().copied().filter(|_| fresh > 0.0)).collect();
-    if !lines.is_empty() {
-        let opacity = if is_asked { 1.0 } else { fresh };
-        let others = [&taken, free].concat();
-        taken.extend(write(painter, (pane.rect, label), &lines, opacity, &others));
-    }
-    taken
+    let keys = instruments.keys.iter().map(|line| (*line).to_owned()).filter(|_| fresh > 0.0);
+    let way = instruments.way.into_iter().filter(|_| is_asked || fresh > 0.0);
+    Shown { lines: way.chain(keys).collect(), opacity: if is_asked { 1.0 } else { fresh }, ..shown }
 }
 
 /// Has assistive technology and a pointer find the instruments; returns whether the pointer is on them.
@@ -109,7 +121,8 @@ fn say(ui: &Ui, pane: EyePane, instruments: &Instruments, places: Places) -> boo
     let id = ui.scope_id().with(("handlebar", pane.eye.index(), pane.is_second));
     let response = ui.interact(places.all().intersect(pane.rect), id, Sense::hover());
     response.widget_info(|| {
-        let text = format!("{}, instruments: {}", pane.eye.name(), instruments.text());
+        let whose = if pane.is_second { "Second picture" } else { pane.eye.name() };
+        let text = format!("{whose}, instruments: {}", instruments.text());
         WidgetInfo::labeled(Role::Label, true, text)
     });
     response.on_hover_text(TIP).hovered()
@@ -126,33 +139,29 @@ fn freshness(ui: &Ui, state: &State) -> f32 {
     (left / FADE).min(1.0) as f32
 }
 
-/// Writes `lines` into the first corner of the picture in which they cover nothing that is `taken`; returns
-/// their place.
-fn write(
-    painter: &Painter,
-    (picture, label): (Rect, f32),
-    lines: &[&str],
-    opacity: f32,
-    taken: &[Rect],
-) -> Option<Rect> {
-    const CORNERS: [Align2; 4] =
-        [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM, Align2::LEFT_CENTER, Align2::RIGHT_CENTER];
-    let font = FontId::proportional(label);
-    let colour = Color32::WHITE.gamma_multiply(opacity);
-    let padding = label * PADDING;
-    let room = picture.shrink(6.0);
-    let galley = painter.layout(lines.join("\n"), font, colour, (room.width() - 2.0 * padding.x).max(1.0));
-    let size = galley.size() + 2.0 * padding;
-    // Above the instruments where there is no room beside them.
-    let above = taken.iter().fold(room.max.y, |top, part| top.min(part.min.y)) - padding.y;
-    let raised = Rect::from_min_max(room.min, pos2(room.max.x, above.max(room.min.y)));
-    let places = CORNERS.iter().map(|corner| corner.align_size_within_rect(size, room));
-    let places = places.chain([Align2::LEFT_BOTTOM.align_size_within_rect(size, raised)]);
-    let is_free = |place: &Rect| {
-        picture.contains_rect(*place) && !taken.iter().any(|part| part.expand(padding.y).intersects(*place))
-    };
-    let place = places.into_iter().find(is_free)?;
-    painter.rect_filled(place, padding.x, Color32::from_black_alpha(BACK).gamma_multiply(opacity));
-    painter.galley(place.min + padding, galley, colour);
-    Some(place)
+impl Shown {
+    /// Writes odometers, place and keys into the first corner of the `picture` in which they cover nothing
+    /// that is `taken`; returns where.
+    pub fn write_beside(self, painter: &Painter, picture: Rect, taken: &[Rect]) -> Option<Rect> {
+        const CORNERS: [Align2; 4] =
+            [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM, Align2::LEFT_CENTER, Align2::RIGHT_CENTER];
+        if self.lines.is_empty() {
+            return None;
+        }
+        let colour = Color32::WHITE.gamma_multiply(self.opacity);
+        let padding = self.label * PADDING;
+        let room = picture.shrink(6.0);
+        let width = (room.width() - 2.0 * padding.x).max(1.0);
+        let galley = painter.layout(self.lines.join("\n"), FontId::proportional(self.label), colour, width);
+        let size = galley.size() + 2.0 * padding;
+        let is_free = |place: &Rect| {
+            let covers = |part: &Rect| part.is_positive() && part.expand(padding.y).intersects(*place);
+            picture.contains_rect(*place) && !taken.iter().any(covers)
+        };
+        let mut places = CORNERS.iter().map(|corner| corner.align_size_within_rect(size, room));
+        let place = places.find(is_free)?;
+        painter.rect_filled(place, padding.x, Color32::from_black_alpha(BACK).gamma_multiply(self.opacity));
+        painter.galley(place.min + padding, galley, colour);
+        Some(place)
+    }
 }
