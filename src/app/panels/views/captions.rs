@@ -68,7 +68,7 @@ fn notes_opacity(ui: &Ui, pane: EyePane, notes: &[&String]) -> f32 {
         ctx.request_repaint_after_secs(left as f32 + 0.01);
     }
     let is_pointed = ui.rect_contains_pointer(pane.rect) && awake::is_moved(ctx);
-    let focused = ctx.memory(|memory| memory.focused()).and_then(|id| ctx.read_response(id));
+    let focused = ctx.memory(egui::Memory::focused).and_then(|id| ctx.read_response(id));
     let is_focused = focused.is_some_and(|response| {
         response.rect.width() == pane.rect.width() && response.rect.contains(pane.rect.center())
     });
