@@ -124,6 +124,8 @@ impl WindowLayout {
         let with_side = window.controls && whole.width() >= lesson.narrowest_with_controls();
         let is_narrow = is_narrow(whole);
         let speed_height = if is_narrow && window.controls { SPEED_HEIGHT } else { 0.0 };
+        // What a lesson switches on it asks about.
+        let is_asked_for = lesson == LessonPart::Panel && (window.plots || window.map == Presence::On);
         let (lesson, below) = lesson.split_off(below, arranged, speed_height + TIMELINE_HEIGHTS[1]);
         let area = whole.with_min_x(below.min.x);
         let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
@@ -134,10 +136,11 @@ impl WindowLayout {
             WindowSettings { map: if map_aside.is_some() { Presence::Off } else { window.map }, ..window };
         let timeline_height = TIMELINE_HEIGHTS[usize::from(!has_timeline_in_a_row(window, centre.width()))];
         let height = centre.height() - speed_height - timeline_height;
-        let is_high = has_table(tab) || shown.map == Presence::On;
+        let is_high = is_asked_for || has_table(tab) || shown.map == Presence::On;
         let needs = StripNeeds { window: whole.height(), is_narrow, is_high };
         let Heights { words, free, lowest, strip } =
             Heights::new(needs, vec2(centre.width(), height.max(0.0)), window, arranged);
+        let lowest = if is_asked_for { lowest.min(LOWEST) } else { lowest };
         let strip_height = part(window.strip_share, free, strip, [LOWEST; 2]);
         // What stands in a strip does not change while its border is dragged, unless it becomes too low for
         // any of it.
