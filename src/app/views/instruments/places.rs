@@ -25,29 +25,30 @@ impl Places {
         // As wide on both sides, so that the dial stands in the middle.
         let beside = plates[0].x.max(plates[1].x) + gap;
         let sides = [[beside; 2], plates.map(|plate| plate.x + gap), [0.0; 2]];
-        let fitting = sides.into_iter().find(|[left, right]| left + dial.x + right <= room.width())?;
         if dial.y > room.height() {
             return None;
         }
-        let [left, right] = fitting;
-        let at = |x: f32| {
-            let dial = Rect::from_min_size(pos2(x + left, room.max.y - dial.y), dial);
-            let plates = (left > 0.0).then(|| {
-                let corner = [
-                    dial.left_bottom() - vec2(gap + plates[0].x, plates[0].y),
-                    dial.right_bottom() + vec2(gap, -plates[1].y),
-                ];
-                [0, 1].map(|side: usize| Rect::from_min_size(corner[side], plates[side]))
-            });
-            Self { dial, plates }
+        let fits = |[left, right]: &[f32; 2]| left + dial.x + right <= room.width();
+        let at = |[left, right]: [f32; 2]| {
+            let width = left + dial.x + right;
+            [room.center().x - 0.5 * width, room.min.x, room.max.x - width].map(|x| {
+                let dial = Rect::from_min_size(pos2(x + left, room.max.y - dial.y), dial);
+                let plates = (left > 0.0).then(|| {
+                    let corner = [
+                        dial.left_bottom() - vec2(gap + plates[0].x, plates[0].y),
+                        dial.right_bottom() + vec2(gap, -plates[1].y),
+                    ];
+                    [0, 1].map(|side: usize| Rect::from_min_size(corner[side], plates[side]))
+                });
+                Self { dial, plates }
+            })
         };
-        let width = left + dial.x + right;
-        let starts = [room.center().x - 0.5 * width, room.min.x, room.max.x - width];
         let is_free = |places: &Self| {
-            !places.parts().any(|part| free.iter().any(|mark| part.expand(gap).intersects(*mark)))
+            let all = places.all().expand(gap);
+            !free.iter().any(|mark| all.intersects(*mark))
         };
-        let places = starts.map(at);
-        places.into_iter().find(is_free).or(Some(places[0]))
+        let places: Vec<_> = sides.into_iter().filter(fits).flat_map(at).collect();
+        places.iter().copied().find(is_free).or_else(|| places.first().copied())
     }
 
     /// The dial, and the plates that have room.
