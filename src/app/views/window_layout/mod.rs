@@ -126,6 +126,8 @@ impl WindowLayout {
         let (bar, below) = below_bar(whole);
         let with_side = window.controls && whole.width() >= lesson.narrowest_with_controls();
         let speed_height = if is_narrow(whole) && window.controls { SPEED_HEIGHT } else { 0.0 };
+        // What a lesson switches on it asks about.
+        let is_asked_for = lesson == LessonPart::Panel && (window.plots || window.map == Presence::On);
         let (lesson, below) = lesson.split_off(below, arranged, speed_height + TIMELINE_HEIGHT);
         let area = whole.with_min_x(below.min.x);
         let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
@@ -134,6 +136,7 @@ impl WindowLayout {
         let height = centre.height() - speed_height - TIMELINE_HEIGHT;
         let Heights { words, free, lowest, strip } =
             Heights::new(is_narrow(whole), vec2(centre.width(), height.max(0.0)), window, arranged);
+        let lowest = if is_asked_for { lowest.min(LOWEST) } else { lowest };
         let strip_height = part(window.strip_share, free, strip, [LOWEST; 2]);
         // What stands in a strip does not change while its border is dragged, unless it becomes too low for
         // any of it.
