@@ -144,6 +144,28 @@ impl Moment {
         self.source.described(&self.doppler_factors().into_iter().flatten().collect::<Vec<_>>())
     }
 
+    /// Describes without a number what the light looks like to each eye; `None` where no light is shown that
+    /// arrives.
+    #[must_use]
+    pub fn looks(&self) -> Option<String> {
+        let [left, right] = self.doppler_factors();
+        self.source.looks([left?, right?])
+    }
+
+    /// Describes how fast the point's time is seen to pass: `its clock looks fast: D = 1.17 and 1.23`; `None`
+    /// where no light is shown that arrives.
+    #[must_use]
+    pub fn pace(&self) -> Option<String> {
+        let [left, right] = self.doppler_factors();
+        let factors = [left?, right?];
+        let word = match factors {
+            [left, right] if left > 1.0 && right > 1.0 => "its clock looks fast: ",
+            [left, right] if left < 1.0 && right < 1.0 => "its clock looks slow: ",
+            _ => "",
+        };
+        Some(format!("{word}D\u{a0}=\u{a0}{}", distinct_texts(&factors, DECIMALS).join(" and\u{a0}")))
+    }
+
     /// The moment in a sentence or two.
     #[must_use]
     pub fn sentence(&self) -> String {

@@ -1,4 +1,4 @@
-//! Files in and out: CSV, PNG, GIF, EXR and HTML, what is wrong with TOML, what files say of how they were
+//! Files in and out: CSV, PNG, GIF, EXR and HTML, JPEG in, what is wrong with TOML, what files say of how they were
 //! made, and files written whole or not at all.
 
 pub mod csv_in;
@@ -6,6 +6,7 @@ pub mod csv_out;
 pub mod exr;
 pub mod gif;
 pub mod html;
+pub mod jpeg;
 pub mod png;
 pub mod provenance;
 pub mod syntax;

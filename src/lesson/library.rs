@@ -13,12 +13,16 @@ use crate::settings::Preset;
 
 macro_rules! files {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../assets/lessons/", $name, ".md")))),*]
+        [$((
+            $name,
+            include_str!(concat!("../../assets/lessons/", $name, ".md")),
+            include_bytes!(concat!("../../assets/cards/", $name, ".jpg")),
+        )),*]
     };
 }
 
-/// The names of the program's own, and their files, in their order.
-const OWN: [(&str, &str); 19] = files![
+/// The names of the program's own, their files and the pictures of their cards, in their order.
+const OWN: [(&str, &str, &[u8]); 19] = files![
     "rods",
     "what-gamow-drew",
     "light-is-late",
@@ -39,6 +43,11 @@ const OWN: [(&str, &str); 19] = files![
     "ride-away",
     "ride-gate",
 ];
+
+/// Returns the file of the picture on the card of the program's own lesson of this name.
+pub(super) fn card(name: &str) -> Option<&'static [u8]> {
+    OWN.iter().find(|(own, ..)| *own == name).map(|(.., card)| *card)
+}
 
 /// The lessons that there are.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,7 +90,7 @@ impl Library {
     /// # Errors
     /// A folder that cannot be listed, or a lesson in it that cannot be read.
     pub fn new(folder: Option<&Path>) -> Result<Self, LessonError> {
-        let own = OWN.map(|(name, text)| Lesson::read(name, text, &format!("{name}.md")));
+        let own = OWN.map(|(name, text, _)| Lesson::read(name, text, &format!("{name}.md")));
         let mut lessons = own.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut refused = Vec::new();
         for path in folder.map(files_in).transpose()?.unwrap_or_default() {

@@ -6,6 +6,7 @@
 
 mod answer;
 mod answers;
+pub mod card;
 mod course;
 mod curve_plot;
 mod error;

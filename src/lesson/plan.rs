@@ -68,6 +68,8 @@ pub struct Lesson {
     pub order: u32,
     /// Title of its chapter on the start page; empty for a preset.
     pub chapter: String,
+    /// Name of the preset that its card shows, if not its first step.
+    pub card: Option<String>,
     /// The concept of the Relativity Concept Inventory that it serves; empty for a state that only shows
     /// something.
     pub concept: String,
@@ -256,6 +258,7 @@ impl Lesson {
             title: preset.title.clone(),
             order: u32::MAX,
             chapter: String::new(),
+            card: None,
             concept: String::new(),
             minutes: 1,
             introduction: text(&preset.caption),

@@ -14,7 +14,7 @@ use super::sections::{
     FitSettings, LightSettings, LookSettings, MapSettings, MotionSettings, PictureSettings, PlaybackSettings,
     PlotSettings, QualitySettings, ScreenSettings, WindowSettings,
 };
-use crate::flags::choices::Layout;
+use crate::flags::choices::{GazeChoice, Layout};
 use crate::flags::{Followed, coordinates, time};
 use crate::scene::PRESETS;
 
@@ -153,11 +153,11 @@ impl Settings {
     }
 
     /// Returns these settings with the window, the screen and the layout of `other`, which belong to whoever
-    /// looks and not to what is shown. Only a panorama brings its layout along, and a ride its one picture in
-    /// place of two apart; each takes it away again.
+    /// looks and not to what is shown. Only a panorama brings its layout along, and a ride or a whole
+    /// passage its one picture in place of two apart; each takes it away again.
     #[must_use]
     pub fn in_place_of(self, other: &Self) -> Self {
-        let is_kept = self.is_ride_in_one_picture() && !other.picture.layout.shows_two_apart();
+        let is_kept = self.is_in_one_picture() && !other.picture.layout.shows_two_apart();
         let layout = match (self.has_own_layout() && !is_kept, other.has_own_layout()) {
             (true, _) => self.picture.layout,
             (false, true) if !is_kept => PictureSettings::default().layout,
@@ -169,11 +169,12 @@ impl Settings {
 
     /// Whether the layout belongs to what is shown.
     fn has_own_layout(&self) -> bool {
-        self.is_panorama() || self.is_ride_in_one_picture()
+        self.is_panorama() || self.is_in_one_picture()
     }
 
-    /// Whether it is a ride that one eye sees, in one large picture.
-    fn is_ride_in_one_picture(&self) -> bool {
-        self.ride.is_on() && self.picture.layout == Layout::Left
+    /// Whether it is a ride or a whole passage that one eye sees, in one large picture.
+    pub(super) fn is_in_one_picture(&self) -> bool {
+        let is_large = self.ride.is_on() || self.look.gaze == GazeChoice::Passage;
+        is_large && self.picture.layout == Layout::Left
     }
 }

@@ -20,6 +20,8 @@ pub struct Preset {
     pub settings: Settings,
     /// Text of the preset's file.
     pub toml: &'static str,
+    /// Picture on its card, a JPEG.
+    pub card: &'static [u8],
 }
 
 /// The groups of presets, in the order of their page.
@@ -53,12 +55,17 @@ impl PresetGroup {
 
 macro_rules! files {
     ($($group:ident: $($name:literal),+;)+) => {
-        [$($((PresetGroup::$group, $name, include_str!(concat!("../../assets/presets/", $name, ".toml")))),+),+]
+        [$($((
+            PresetGroup::$group,
+            $name,
+            include_str!(concat!("../../assets/presets/", $name, ".toml")),
+            include_bytes!(concat!("../../assets/cards/", $name, ".jpg")),
+        )),+),+]
     };
 }
 
-/// The groups, names and files of all, best first in each group; the first is the start.
-const FILES: [(PresetGroup, &str, &str); 26] = files![
+/// The groups, names, files and cards of all, best first in each group; the first is the start.
+const FILES: [(PresetGroup, &str, &str, &[u8]); 26] = files![
     See: "street", "gamow-1938", "rolling-wheel", "tram", "globe", "die", "vienna-cube", "vienna-sphere",
         "beaming", "lattice", "panorama", "train", "extreme-gamma";
     Ride: "ride-post-office", "ride-lamps", "ride-overtaking", "ride-twins", "ride-tunnel";
@@ -67,8 +74,8 @@ const FILES: [(PresetGroup, &str, &str); 26] = files![
 ];
 
 static ALL: LazyLock<Vec<Preset>> = LazyLock::new(|| {
-    let preset = |(group, name, text)| {
-        Preset::read(group, name, text).unwrap_or_else(|| unreachable!("tests read every preset"))
+    let preset = |(group, name, text, card)| {
+        Preset::read(group, name, text, card).unwrap_or_else(|| unreachable!("tests read every preset"))
     };
     FILES.map(preset).into()
 });
@@ -104,7 +111,7 @@ impl Preset {
         let with = |settings: &Settings| {
             ALL.iter().find(|Self { settings: own, .. }| {
                 let mut shown = own.clone().in_place_of(settings);
-                if own.ride.is_on() {
+                if own.is_in_one_picture() {
                     shown.picture.layout = settings.picture.layout;
                 }
                 shown == *settings
@@ -113,9 +120,9 @@ impl Preset {
         with(settings).or_else(|| with(&Settings { time: None, ..settings.clone() }))
     }
 
-    fn read(group: PresetGroup, name: &'static str, text: &'static str) -> Option<Self> {
+    fn read(group: PresetGroup, name: &'static str, text: &'static str, card: &'static [u8]) -> Option<Self> {
         let Heading { title, caption } = Heading::in_toml(text)?;
         let settings = Settings::default().with_toml(text, name).ok()?;
-        Some(Self { group, name, title, caption, settings, toml: text })
+        Some(Self { group, name, title, caption, settings, toml: text, card })
     }
 }

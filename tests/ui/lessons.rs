@@ -10,11 +10,11 @@ use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
 use gamow::flags::choices::Layout;
 use gamow::lesson::{Answer, AnswerKind, Confidence, Course, Lesson, Library, Outcome, Phase, Place};
-use gamow::settings::{Presence, Settings, Theme, WindowSettings};
+use gamow::settings::{PlotTab, Presence, Settings, Theme, WindowSettings};
 use relativity_render::Gaze;
 
 use super::Test;
-use super::support::{in_layout, labels, open, type_into, wait_for_file, window_without_pictures};
+use super::support::{in_layout, labels, open, type_into, wait_for, wait_for_file, window_without_pictures};
 
 pub const TESTS: &[Test] = trials![
     a_lesson_is_gone_through_by_its_labels,
@@ -525,10 +525,15 @@ fn fitting(kind: &AnswerKind) -> Answer {
     }
 }
 
-/// Before an audience pictures and words share the room within a few frames.
+/// Before an audience pictures and words share the room within a few frames; a fit takes its time.
 fn settle_words(window: &mut Harness<'_, App>) {
     if window.state().state().session.stage.has_audience() {
         window.run_steps(4);
+    }
+    let settings = &window.state().state().document.settings;
+    if settings.window.plots && settings.plots.plot == PlotTab::Fit {
+        wait_for(window, "the fit", |window| window.state().is_settled());
+        window.run_steps(2);
     }
 }
 

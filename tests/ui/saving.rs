@@ -8,14 +8,17 @@ use std::time::Duration;
 use eframe::egui::{Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{PlaybackCommand, SettingsCommand, WindowCommand};
+use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand, WindowCommand};
 use gamow::app::shell::App;
 use gamow::app::state::State;
+use gamow::app::state::files::purpose::Product;
+use gamow::app::state::lesson::LessonCommand;
 use gamow::eye::Eye;
 use gamow::files::png::PngFile;
 use gamow::flags::TimeRange;
 use gamow::flags::choices::{FileKind, Layout, RendererChoice};
 use gamow::flags::words::words;
+use gamow::lesson::Library;
 use gamow::settings::{MotionSettings, PlaybackSettings, PlotSettings, PlotTab, QualitySettings, Settings};
 
 use super::Test;
@@ -30,6 +33,7 @@ pub const TESTS: &[Test] = trials![
     #[cfg(unix)]
     nothing_is_saved_to_a_pipe_that_nobody_reads,
     films_have_the_frames_of_the_loop,
+    a_film_of_ten_seconds_has_the_passage_just_shown_and_tells_its_size_before,
     a_stopped_film_leaves_no_file,
     the_copied_commands_give_the_same_again,
     the_copied_curve_command_gives_the_plotted_numbers,
@@ -324,6 +328,32 @@ fn films_have_the_frames_of_the_loop() {
     let film = PngFile::read(&folder.path().join("ride.png")).expect("a film");
     assert_eq!(film.picture(), &first[0]);
     assert_eq!(opened(&folder.path().join("ride.png")).document.time, 2.0);
+}
+
+fn a_film_of_ten_seconds_has_the_passage_just_shown_and_tells_its_size_before() {
+    let mut state = State::open(Settings::default()).expect("defaults");
+    state.begin_lesson(&Library::own().open("rods").expect("a lesson")).expect("it begins");
+    assert_eq!(state.film(Product::TenSeconds), ([-10.0, 32.0], 250), "the whole range, before the reveal");
+    for command in [LessonCommand::Skip, LessonCommand::Forward] {
+        state.run(Command::Lesson(command));
+    }
+    assert_eq!(state.film(Product::TenSeconds), ([-8.5, -4.5], 250));
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(state);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::F);
+    window.run_ok();
+    small(&mut window);
+    let told =
+        labels(&window).into_iter().find(|label| label.starts_with("T = −8.5 to −4.5 in 10 s: 250 frames"));
+    let told = told.unwrap_or_else(|| panic!("{:?}", labels(&window)));
+    let megabytes =
+        told.trim_end_matches(" MB.").rsplit(' ').next().and_then(|number| number.parse::<f64>().ok());
+    let path = folder.path().join("ten.gif");
+    type_into(&mut window, "Path", path.to_str().expect("a plain path"));
+    let text = message(&mut window);
+    assert!(text.starts_with("Saved ten.gif: 250 frames, 10.0 s, "), "{text}");
+    let ratio = megabytes.expect("a number") * 1e6 / bytes_at(&path) as f64;
+    assert!((0.5..2.0).contains(&ratio), "{told} {ratio}");
 }
 
 fn a_stopped_film_leaves_no_file() {

@@ -209,6 +209,7 @@ pub static ACTIONS: &[Action] = &[
     action("save the plots as a drawing", &[], save(Product::PlotsSvg)),
     action("save the plots as a table", &[], save(Product::PlotsCsv)),
     action("save a film", &[], save(Product::Film)),
+    action("save a film of 10 s of what was just shown", &[with_control(Key::F)], save(Product::TenSeconds)),
     action("save the fit", &[], save(Product::Fit)),
     action("save the report of the lesson", &[], save(Product::Report)),
     action("save the worksheet of the lesson", &[], save(Product::Worksheet)),

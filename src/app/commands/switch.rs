@@ -45,7 +45,7 @@ impl State {
                 self.document.settings.toggle_panorama(&default);
             }
             Switch::Resting => settings.window.resting = !settings.window.resting,
-            Switch::Simple => settings.window.simple = !settings.window.simple,
+            Switch::Simple => settings.window = settings.window.with_few(!settings.window.simple),
             Switch::Eyes => {
                 let picture = &mut settings.picture;
                 picture.swapped = picture.swapped.toggled(picture.layout);

@@ -8,7 +8,9 @@ use crate::app::commands::WindowCommand;
 use crate::app::commands::file_dialog::Chooser;
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
-use crate::studio::film::FRAMES_PER_SECOND;
+use crate::flags::choices::{Form, Size};
+use crate::number_text;
+use crate::studio::film::{FRAMES_PER_SECOND, expected_gif_bytes};
 
 /// Width of the path, and room beside it, points.
 const PATH_WIDTH: f32 = 440.0;
@@ -75,11 +77,25 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
     }
     let text = match product {
         Product::Film => {
-            let frames = state.film_frames();
+            let (_, frames) = state.film(product);
             let seconds = f64::from(frames) / f64::from(FRAMES_PER_SECOND);
             format!(
                 "T runs through its range once: {frames} frames, {seconds:.1} s. A name that ends in .gif \
                     or .png gives an animation; one without an ending, a folder of pictures."
+            )
+        }
+        Product::TenSeconds => {
+            let ([from, to], frames) = state.film(product);
+            let unit = state.measures().time;
+            let megabytes = match chooser.size.trim().parse::<Size>() {
+                Ok(Size(size)) => expected_megabytes(state, frames, size),
+                Err(_) => number_text::NONE.to_owned(),
+            };
+            format!(
+                "{} = {} to {} in 10 s: {frames} frames, as a GIF about {megabytes} MB.",
+                state.clock().symbol,
+                unit.number(from, 1),
+                unit.text(to, 1)
             )
         }
         Product::Picture => "The picture records its state: opening it restores that.".to_owned(),
@@ -102,6 +118,16 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
         Product::Fit => "The numbers of the Fit tab, as `gamow fit --json` writes them.".to_owned(),
     };
     ui.label(RichText::new(text).weak());
+}
+
+/// The size of a film of this many `frames`, with pictures of this `size` for each eye.
+fn expected_megabytes(state: &State, frames: u32, [width, height]: [u32; 2]) -> String {
+    let pictures = match state.document.settings.picture.layout.form() {
+        Form::Beside | Form::Above => 2.0,
+        Form::One(_) | Form::Composed(_) | Form::InTurn => 1.0,
+    };
+    let pixels = pictures * f64::from(width) * f64::from(height);
+    number_text::significant(expected_gif_bytes(frames, pixels) / 1e6, 1)
 }
 
 fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: bool, commands: &mut Commands) {

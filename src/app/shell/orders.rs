@@ -78,15 +78,15 @@ impl App {
                 let job = SaveJob::Picture(self.drawn(ui, size), path);
                 self.begin(ui.ctx(), job, name, 1);
             }
-            Product::Film => {
-                let frames = self.state.film_frames();
+            Product::Film | Product::TenSeconds => {
+                let (range, frames) = self.state.film(product);
                 let Some(kind) = FilmKind::from_path(&path).filter(|_| frames <= MOST_FRAMES) else {
                     let text = format!(
                         "A film has {MOST_FRAMES} frames at most, and this would have {frames}: play it faster, or shorten the range of T."
                     );
                     return self.tell(ui.ctx(), Notice::error(text));
                 };
-                let times = loop_times(self.state.time_range(), frames);
+                let times = loop_times(range, frames);
                 let job = SaveJob::Film(self.drawn(ui, size), times, kind, path);
                 self.begin(ui.ctx(), job, name, frames);
             }

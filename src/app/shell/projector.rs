@@ -26,7 +26,7 @@ fn id() -> ViewportId {
 fn window(screen: Screen) -> ViewportBuilder {
     let window = ViewportBuilder::default()
         .with_title(TITLE)
-        .with_inner_size([1024.0, 520.0])
+        .with_inner_size([1120.0, 700.0])
         .with_min_inner_size([240.0, 160.0]);
     match screen {
         Screen::Other(number) => window.with_monitor(number),

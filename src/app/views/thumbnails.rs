@@ -1,12 +1,12 @@
-//! Small pictures of what lessons and presets show: each is drawn once, by the reference renderer in the
-//! background, while somebody looks at them.
+//! Small pictures of what lessons and presets show: those that ship with the program, and of lessons of the
+//! user's own a picture that is drawn once, by the reference renderer in the background, while somebody looks
+//! at it.
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use relativity_render::Picture;
-use serde::{Deserialize, Serialize};
 
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::state::State;
@@ -14,19 +14,9 @@ use crate::app::tools::image;
 use crate::app::tools::worker::{BackgroundWork, StepOutcome, Wanted, Work};
 use crate::app::views::reference_steps::{ReferencePicture, ReferenceSteps};
 use crate::eye::Eye;
-use crate::lesson::Lesson;
+use crate::files::jpeg;
+use crate::lesson::{Lesson, card};
 use crate::settings::Settings;
-
-/// The look of a thumbnail, which it depends on beside its lesson.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct ThumbnailLook {
-    /// Width and height, pixels.
-    pub size: [u32; 2],
-    /// Whether the thumbnail is shown in a light window.
-    pub in_light_window: bool,
-    /// Eye whose view the thumbnail shows.
-    pub eye: Eye,
-}
 
 /// The drawing of a thumbnail; there is nothing to draw where its lesson cannot be shown.
 pub struct ThumbnailSteps(Option<ReferenceSteps>);
@@ -34,13 +24,13 @@ pub struct ThumbnailSteps(Option<ReferenceSteps>);
 impl Work for ThumbnailSteps {
     const NAME: &'static str = "thumbnail";
     type Base = ();
-    /// Settings of the lesson, in TOML, if there are any; and the look.
-    type Job = (Option<String>, ThumbnailLook);
+    /// Settings of the lesson, in TOML, if there are any.
+    type Job = Option<String>;
     type Result = Option<Picture>;
     type Tools = ();
 
-    fn begin((): (), (settings, look): (Option<String>, ThumbnailLook)) -> Self {
-        Self(settings.and_then(|settings| steps(&settings, look)))
+    fn begin((): (), settings: Option<String>) -> Self {
+        Self(settings.and_then(|settings| steps(&settings)))
     }
 
     fn step(&mut self, (): &mut (), wanted: &Wanted) -> StepOutcome<Option<Picture>> {
@@ -49,36 +39,24 @@ impl Work for ThumbnailSteps {
     }
 }
 
-/// The key of a thumbnail: a preset may be called like a lesson.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct ThumbnailKey {
-    name: String,
-    is_of_a_preset: bool,
-    eye: Eye,
-    size: [u32; 2],
-}
-
-impl ThumbnailKey {
-    fn new(lesson: &Lesson, ThumbnailLook { size, eye, .. }: ThumbnailLook) -> Self {
-        Self { name: lesson.name.clone(), is_of_a_preset: lesson.is_a_preset(), eye, size }
-    }
-}
-
-/// A kept thumbnail. In a window that has since changed its theme, it stays until the other is drawn.
-struct KeptThumbnail {
-    in_light_window: bool,
-    texture: Option<TextureHandle>,
-}
-
-/// The thumbnails that were drawn, the one that is drawn now, and the one that comes next.
+/// The thumbnails that are there, the one that is drawn now, and the one that comes next.
 #[derive(Default)]
 pub struct Thumbnails {
-    worker: Option<BackgroundWork<ThumbnailSteps, (ThumbnailKey, bool)>>,
-    kept: HashMap<ThumbnailKey, KeptThumbnail>,
+    worker: Option<BackgroundWork<ThumbnailSteps, ThumbnailKey>>,
+    /// The thumbnails by their lessons; none of a lesson that cannot be shown.
+    kept: HashMap<ThumbnailKey, Option<TextureHandle>>,
     /// The first that is missing, and whether it is in view.
-    missing: Option<(Arc<Lesson>, ThumbnailLook, bool)>,
+    missing: Option<(Arc<Lesson>, bool)>,
     /// Number of thumbnails drawn.
     count: usize,
+}
+
+/// The key of a thumbnail: the lesson's name, and whether the lesson is the user's own.
+type ThumbnailKey = (String, bool);
+
+/// Returns the key of the thumbnail of `lesson`.
+fn key(lesson: &Lesson) -> ThumbnailKey {
+    (lesson.name.clone(), lesson.path.is_some())
 }
 
 impl Thumbnails {
@@ -96,54 +74,59 @@ impl Thumbnails {
 
     /// Takes in what was drawn.
     pub fn receive(&mut self, ctx: &Context) {
-        let Some(((key, in_light_window), picture)) = self.worker.as_ref().and_then(BackgroundWork::result)
-        else {
-            return;
-        };
-        let texture = picture.map(|Picture { size, rgba }| {
-            ctx.load_texture(&key.name, image::of_pixels(size, &rgba), TextureOptions::LINEAR)
-        });
-        self.kept.insert(key, KeptThumbnail { in_light_window, texture });
-        self.count += 1;
+        if let Some((key, picture)) = self.worker.as_ref().and_then(BackgroundWork::result) {
+            let texture = picture.map(|Picture { size, rgba }| load(ctx, &key.0, size, &rgba));
+            self.kept.insert(key, texture);
+            self.count += 1;
+        }
     }
 
-    /// Returns the thumbnail of `lesson`, once there is one; until it has this `look` it is noted as missing.
+    /// Returns the thumbnail of `lesson`, once it is in view or drawn; until then it is noted as missing.
     /// Those in view come first.
     pub fn picture(
         &mut self,
+        ctx: &Context,
         lesson: &Arc<Lesson>,
-        look: ThumbnailLook,
         is_in_view: bool,
     ) -> Option<&TextureHandle> {
-        let kept = self.kept.get(&ThumbnailKey::new(lesson, look));
-        let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
-        if is_missing && self.missing.as_ref().is_none_or(|(.., other)| is_in_view && !other) {
-            self.missing = Some((Arc::clone(lesson), look, is_in_view));
+        let key = key(lesson);
+        if !self.kept.contains_key(&key) {
+            match card::shipped(lesson) {
+                Some(file) if is_in_view => {
+                    let decoded = jpeg::decode(file, |_| Ok(())).ok();
+                    let texture = decoded.map(|(size, rgba)| load(ctx, &key.0, size, &rgba));
+                    self.kept.insert(key.clone(), texture);
+                }
+                None if self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) => {
+                    self.missing = Some((Arc::clone(lesson), is_in_view));
+                }
+                _ => {}
+            }
         }
-        kept.and_then(|kept| kept.texture.as_ref())
+        self.kept.get(&key)?.as_ref()
     }
 
     /// Has the first of those drawn that were noted as missing, unless another is being drawn.
     pub fn go_on(&mut self, ctx: &Context) {
         let missing = self.missing.take();
-        let Some((lesson, look, _)) = missing.filter(|_| self.is_settled()) else { return };
-        let settings = lesson.settings(0, true, &Settings::default()).ok();
-        let settings = settings.map(|settings| settings.to_toml());
-        let label = (ThumbnailKey::new(&lesson, look), look.in_light_window);
+        let Some((lesson, _)) = missing.filter(|_| self.is_settled()) else { return };
+        let settings = card::settings(&lesson).ok().map(|settings| settings.to_toml());
         let worker = self.worker.get_or_insert_with(|| BackgroundWork::new(ctx, ()));
-        worker.request(label, (), (settings, look));
+        worker.request(key(&lesson), (), settings);
     }
 }
 
-/// The drawing of the first step of a lesson, after its reveal; `None` where it cannot be shown.
-fn steps(
-    settings: &str,
-    ThumbnailLook { size, in_light_window, eye }: ThumbnailLook,
-) -> Option<ReferenceSteps> {
+/// Returns the texture of a thumbnail called `name`.
+fn load(ctx: &Context, name: &str, size: [u32; 2], rgba: &[[u8; 4]]) -> TextureHandle {
+    ctx.load_texture(name, image::of_pixels(size, rgba), TextureOptions::LINEAR)
+}
+
+/// The drawing of a lesson with these settings; `None` where it cannot be shown.
+fn steps(settings: &str) -> Option<ReferenceSteps> {
     let settings = Settings::default().with_toml(settings, "the lesson").ok()?;
     let mut state = State::open(settings).ok()?;
-    state.frame.picture_size = size;
-    let (view, appearance) = (state.view(eye, size), state.appearance(in_light_window));
+    state.frame.picture_size = card::SIZE;
+    let (view, appearance) = (state.view(Eye::Left, card::SIZE), state.appearance(false));
     let drawing = ReferencePicture { view, appearance, samples: REFERENCE_SAMPLES };
     Some(ReferenceSteps::begin(state.document.prepared.clone(), drawing))
 }
@@ -151,21 +134,19 @@ fn steps(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lesson::Library;
 
     #[test]
-    fn every_lesson_and_preset_has_a_picture_of_its_own_size() {
-        let look = ThumbnailLook { size: [22, 13], in_light_window: false, eye: Eye::Left };
-        for lesson in Library::own().all() {
-            let settings = lesson.settings(0, true, &Settings::default()).expect("they can be");
-            let wanted = Wanted::new(1, Arc::new(1.into()), Arc::default());
-            let mut steps = ThumbnailSteps::begin((), (Some(settings.to_toml()), look));
-            let StepOutcome::Last(Some(Some(picture))) = steps.step(&mut (), &wanted) else {
-                panic!("{} cannot be shown", lesson.name)
-            };
-            assert_eq!(picture.size, look.size, "{}", lesson.name);
-            let first = picture.rgba[0];
-            assert!(picture.rgba.iter().any(|pixel| *pixel != first), "{} shows nothing", lesson.name);
-        }
+    fn a_lesson_of_ones_own_has_a_picture_of_the_size_of_the_others() {
+        let text = "---\ntitle: x\n---\n\n## One\n\n```state\nscene = \"globe\"\n```\n\nLook.\n";
+        let lesson = Lesson::read("own", text, "own.md").expect("a lesson");
+        let settings = card::settings(&lesson).expect("they can be");
+        let wanted = Wanted::new(1, Arc::new(1.into()), Arc::default());
+        let mut steps = ThumbnailSteps::begin((), Some(settings.to_toml()));
+        let StepOutcome::Last(Some(Some(picture))) = steps.step(&mut (), &wanted) else {
+            panic!("it cannot be shown")
+        };
+        assert_eq!(picture.size, card::SIZE);
+        let first = picture.rgba[0];
+        assert!(picture.rgba.iter().any(|pixel| *pixel != first), "it shows nothing");
     }
 }

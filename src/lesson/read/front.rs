@@ -4,17 +4,19 @@ use gamow_platform::messages;
 
 use super::limits::check_name;
 use super::wrong::Wrong;
+use crate::settings::Preset;
 
 /// The front matter of a lesson.
 pub struct FrontMatter {
     pub title: String,
     pub order: u32,
     pub chapter: String,
+    pub card: Option<String>,
     pub concept: String,
     pub minutes: u32,
 }
 
-const KEYS: [&str; 5] = ["title", "order", "chapter", "concept", "minutes"];
+const KEYS: [&str; 6] = ["title", "order", "chapter", "card", "concept", "minutes"];
 /// The chapter of a lesson that names none.
 const OWN_CHAPTER: &str = "Your own lessons";
 /// Line before and after the front matter.
@@ -34,6 +36,7 @@ impl FrontMatter {
             title: String::new(),
             order: LAST,
             chapter: OWN_CHAPTER.to_owned(),
+            card: None,
             concept: String::new(),
             minutes: 10,
         };
@@ -76,6 +79,10 @@ impl FrontMatter {
             "title" => value.clone_into(&mut self.title),
             "chapter" if value.is_empty() => OWN_CHAPTER.clone_into(&mut self.chapter),
             "chapter" => value.clone_into(&mut self.chapter),
+            "card" if Preset::named(value).is_some() => self.card = Some(value.to_owned()),
+            "card" => {
+                return Err(format!("{key} = {}: must be the name of a preset", messages::excerpt(value)));
+            }
             "concept" => value.clone_into(&mut self.concept),
             "order" => self.order = whole(value)?,
             "minutes" => self.minutes = whole(value)?,

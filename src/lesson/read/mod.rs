@@ -112,7 +112,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     if steps.is_empty() {
         return Err((1, "a lesson has at least one step: a line that begins with `## `".to_owned()));
     }
-    let FrontMatter { title, order, chapter, concept, minutes } = front;
+    let FrontMatter { title, order, chapter, card, concept, minutes } = front;
     let (name, source_name) = (name.to_owned(), source_name.to_owned());
     let lesson = Lesson {
         name,
@@ -121,6 +121,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
         title,
         order,
         chapter,
+        card,
         concept,
         minutes,
         introduction,

@@ -4,10 +4,8 @@ use std::io::Cursor;
 
 use relativity_render::geometry::triangles::MOST_TEXELS;
 use relativity_render::{Texture, Wrap};
-use zune_jpeg::JpegDecoder;
-use zune_jpeg::zune_core::colorspace::ColorSpace;
-use zune_jpeg::zune_core::options::DecoderOptions;
 
+use crate::files::jpeg;
 use crate::files::png::PngFile;
 
 /// The first bytes of each format.
@@ -18,7 +16,9 @@ const JPEG: &[u8] = b"\xff\xd8\xff";
 pub fn texture(bytes: &[u8], wrap: [Wrap; 2], room: u64) -> Result<Texture, String> {
     let (size, texels) = match bytes {
         _ if bytes.starts_with(PNG) => png(bytes, room).map_err(|error| format!("as PNG, {error}"))?,
-        _ if bytes.starts_with(JPEG) => jpeg(bytes, room).map_err(|error| format!("as JPEG, {error}"))?,
+        _ if bytes.starts_with(JPEG) => {
+            jpeg::decode(bytes, |size| check(size, room)).map_err(|error| format!("as JPEG, {error}"))?
+        }
         _ => return Err("it is neither PNG nor JPEG".to_owned()),
     };
     Ok(Texture { size, texels, wrap })
@@ -34,22 +34,6 @@ fn png(bytes: &[u8], room: u64) -> Result<([u32; 2], Vec<[u8; 4]>), String> {
     let picture =
         PngFile::decode(Cursor::new(bytes)).map_err(|error| format!("{error:#}"))?.frames.swap_remove(0);
     Ok((picture.size, picture.rgba))
-}
-
-fn jpeg(bytes: &[u8], room: u64) -> Result<([u32; 2], Vec<[u8; 4]>), String> {
-    let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGB);
-    let mut decoder = JpegDecoder::new_with_options(Cursor::new(bytes), options);
-    decoder.decode_headers().map_err(|error| error.to_string())?;
-    let info = decoder.info().ok_or("it has no size")?;
-    let size = [info.width, info.height].map(u32::from);
-    check(size, room)?;
-    let parts = decoder.decode().map_err(|error| error.to_string())?;
-    let texels: Vec<_> =
-        parts.as_chunks().0.iter().map(|&[red, green, blue]| [red, green, blue, u8::MAX]).collect();
-    if texels.len() as u64 != size.map(u64::from).iter().product::<u64>() {
-        return Err("it has colours of a kind that is not known here".to_owned());
-    }
-    Ok((size, texels))
 }
 
 /// Refuses more texels than there is `room` for, before they take memory.

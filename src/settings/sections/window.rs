@@ -95,8 +95,8 @@ pub struct WindowSettings {
     /// On a ride, darkens the edges of the views while the head turns: movement there makes people ill.
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub vignette: OnOff,
-    /// Pictures fade from one preset or layout to the next, and parts of the window move. In a page nothing
-    /// does where the system asks for less motion.
+    /// The picture of the start page moves, pictures fade from one preset or layout to the next, and parts of
+    /// the window move. In a page nothing does where the system asks for less motion.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub animations: OnOff,
     /// Units of lengths and times in the window and in saved plots. Data, states, flags and the records in
@@ -106,6 +106,15 @@ pub struct WindowSettings {
     /// Colours of the window.
     #[arg(long, value_enum)]
     pub theme: Theme,
+}
+
+impl WindowSettings {
+    /// Returns these settings with few controls and words in place of numbers, as in a new user's window, or
+    /// with all of both.
+    #[must_use]
+    pub const fn with_few(self, few: bool) -> Self {
+        Self { simple: few, spectrum: !few, sentence: !few, readout: !few, ..self }
+    }
 }
 
 impl Default for WindowSettings {
@@ -131,7 +140,7 @@ impl Default for WindowSettings {
             vignette: false,
             animations: true,
             units: Units::Natural,
-            theme: Theme::Dark,
+            theme: Theme::Light,
         }
     }
 }

@@ -96,6 +96,7 @@ impl Chooser {
         self.folder = Some(folder);
         self.size = Size(match self.purpose {
             Some(Purpose::Save(Product::Film)) => within(FILM_WIDTH, state.frame.picture_size),
+            Some(Purpose::Save(Product::TenSeconds)) => within(SLIDE_WIDTH, state.frame.picture_size),
             _ => state.frame.picture_size,
         })
         .to_string();
@@ -193,6 +194,8 @@ impl Chooser {
 /// Width of a film that is proposed, pixels: it has hundreds of frames, and one as large as the window would
 /// take 100 MB.
 const FILM_WIDTH: u32 = 480;
+/// The same of a film of ten seconds, which is shown on a slide.
+const SLIDE_WIDTH: u32 = 640;
 
 /// `size` made so small that it is no wider than this, in the same shape.
 fn within(width: u32, size: [u32; 2]) -> [u32; 2] {

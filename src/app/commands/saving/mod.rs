@@ -17,17 +17,36 @@ use self::progress::{Reporter, lock};
 pub use self::work::SavingStep;
 use self::work::{SaveJob, SaveOutcome};
 use crate::app::state::State;
+use crate::app::state::files::purpose::Product;
 use crate::app::tools::worker::BackgroundWork;
 use crate::files::whole::write_whole;
-use crate::studio::film::{Written, frame_count};
+use crate::lesson::Animated;
+use crate::studio::film::{FRAMES_PER_SECOND, Written, frame_count};
 
 impl State {
-    /// Returns the number of frames of a film in which T runs through its range once, as fast as in playback.
+    /// Returns the range of T of a film, and the number of its frames: T runs through its range once, as fast
+    /// as in playback; in ten seconds through the passage just shown, which is that of a lesson's reveal.
     #[must_use]
-    pub fn film_frames(&self) -> u32 {
-        frame_count(self.time_range(), self.document.settings.playback.rate)
+    pub fn film(&self, product: Product) -> ([f64; 2], u32) {
+        let range = self.time_range();
+        if product == Product::TenSeconds {
+            return (self.revealed_passage().unwrap_or(range), TEN_SECONDS * u32::from(FRAMES_PER_SECOND));
+        }
+        (range, frame_count(range, self.document.settings.playback.rate))
+    }
+
+    /// Returns from which T to which the reveal of the present step of a lesson ran; `None` before it, and
+    /// where something else changed.
+    fn revealed_passage(&self) -> Option<[f64; 2]> {
+        let course = self.course().filter(|course| course.is_revealed())?;
+        let Animated::Time(to) = course.step()?.reveal.as_ref()?.animation?.to else { return None };
+        let before = course.lesson().settings(course.place().step, false, &self.lesson_base()).ok()?;
+        before.time.map(|from| [from.min(to), from.max(to)]).filter(|[from, to]| from < to)
     }
 }
+
+/// Seconds of the film of a passage.
+const TEN_SECONDS: u32 = 10;
 
 /// Greatest number of frames of a film.
 pub const MOST_FRAMES: u32 = 5000;

@@ -30,12 +30,13 @@ const OPEN: [MenuEntry; 2] = [
     ),
 ];
 
-const SAVE: [MenuEntry; 11] = [
+const SAVE: [MenuEntry; 12] = [
     save("Save picture…", Product::Picture),
     save("Save plots as SVG…", Product::PlotsSvg),
     save("Save plots as CSV…", Product::PlotsCsv),
     save("Save fit…", Product::Fit),
     save("Save film…", Product::Film),
+    save("Save film of 10 s…", Product::TenSeconds),
     save("Save state…", Product::State),
     save("Save scene of the model…", Product::Scene),
     save("Report of the lesson…", Product::Report),

@@ -103,22 +103,23 @@ fn slider(ui: &mut Ui, control: SpeedControl<'_>) -> Option<SpeedSetting> {
 fn marks(ui: &mut Ui, slider: Rect, takes_clicks: bool) -> Option<SpeedSetting> {
     const MARKS: [(f64, &str); 6] =
         [(0.0, "0"), (0.5, "0.5"), (0.9, "0.9"), (0.99, "0.99"), (0.999, "0.999"), (0.9999, "0.9999")];
-    let (strip, _) = ui.allocate_exact_size(vec2(slider.width(), 15.0), Sense::hover());
+    let (strip, hovered) = ui.allocate_exact_size(vec2(slider.width(), 15.0), Sense::hover());
     let font = TextStyle::Small.resolve(ui.style());
     let mut chosen = None;
     for (beta, text) in MARKS {
         let setting = SpeedSetting::new(SpeedParameter::Beta, beta).expect("marks are speeds");
         let x = widgets::handle_x(slider, setting.slider_position());
         let rect = Rect::from_center_size(egui::pos2(x, strip.center().y), vec2(36.0, strip.height()));
-        if mark(ui, rect, &font, text, takes_clicks) {
+        // There may be two sliders: the rider's own speed, and the bodies'.
+        let id = hovered.id.with(text);
+        if mark(ui, (rect, id), &font, text, takes_clicks) {
             chosen = Some(setting);
         }
     }
     chosen
 }
 
-fn mark(ui: &mut Ui, rect: Rect, font: &FontId, text: &str, takes_clicks: bool) -> bool {
-    let id = ui.scope_id().with(("speed mark", text));
+fn mark(ui: &mut Ui, (rect, id): (Rect, egui::Id), font: &FontId, text: &str, takes_clicks: bool) -> bool {
     let response = takes_clicks.then(|| ui.interact(rect, id, Sense::click()));
     let response = response.map(|response| response.on_hover_cursor(egui::CursorIcon::PointingHand));
     let is_hovered = response.as_ref().is_some_and(egui::Response::hovered);

@@ -14,16 +14,15 @@ use eframe::egui::{
 use super::Commands;
 use super::picture::{self, ASPECT, RADIUS};
 use crate::app::commands::Command;
-use crate::app::views::thumbnails::{ThumbnailLook, Thumbnails};
+use crate::app::views::thumbnails::Thumbnails;
 use crate::app::widgets::theme;
-use crate::eye::Eye;
 use crate::lesson::Lesson;
 
 /// Space between cards, and around what is written in one; points.
 const BETWEEN: f32 = 14.0;
 const AROUND: f32 = 11.0;
-/// Width in which pictures are drawn, in widths of the narrowest card.
-const DRAWN: f32 = 1.3;
+/// Number of presets, at least, that a row has room for where it can.
+const FEWEST: usize = 5;
 
 /// The cards of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,6 +69,8 @@ impl Cards {
     fn columns(self, width: f32, scale: f32, count: usize) -> usize {
         let most = (width + scale * BETWEEN) / (scale * (self.narrowest() + BETWEEN));
         let most = (most as usize).max(1);
+        // Those of a small group are no larger than the others.
+        let count = if self == Self::Presets { count.max(FEWEST) } else { count };
         count.div_ceil(count.div_ceil(most).max(1)).max(1)
     }
 
@@ -79,7 +80,6 @@ impl Cards {
         let columns = self.columns(width, scale, cards.len());
         let between = scale * BETWEEN;
         let card_width = (width - between * (columns - 1) as f32) / columns as f32;
-        let look = picture::look(ui, DRAWN * self.narrowest(), Eye::Left);
         for row in cards.chunks(columns) {
             let written: Vec<_> = row.iter().map(|card| card.written(ui, self, card_width, scale)).collect();
             let text_height = written.iter().map(|galley| galley.size().y).fold(0.0, f32::max);
@@ -88,7 +88,7 @@ impl Cards {
             for (number, (card, written)) in row.iter().zip(written).enumerate() {
                 let left = room.min.x + number as f32 * (card_width + between);
                 let rect = Rect::from_min_size(pos2(left, room.min.y), vec2(card_width, height));
-                if card.show(ui, rect, written, look, thumbnails).clicked() {
+                if card.show(ui, rect, written, thumbnails).clicked() {
                     commands.push(card.command.clone());
                 }
             }
@@ -141,14 +141,7 @@ impl Card<'_> {
         ui.painter().layout_job(job)
     }
 
-    fn show(
-        &self,
-        ui: &Ui,
-        rect: Rect,
-        written: Arc<Galley>,
-        look: ThumbnailLook,
-        thumbnails: &mut Thumbnails,
-    ) -> Response {
+    fn show(&self, ui: &Ui, rect: Rect, written: Arc<Galley>, thumbnails: &mut Thumbnails) -> Response {
         let id: Id =
             ui.make_persistent_id(("card", self.lesson.is_a_preset(), &self.lesson.name, self.title));
         let response = ui.interact(rect, id, Sense::click());
@@ -157,7 +150,7 @@ impl Card<'_> {
             ui.scroll_to_rect(rect, None);
         }
         let is_in_view = ui.is_rect_visible(rect);
-        let picture = thumbnails.picture(self.lesson, look, is_in_view);
+        let picture = thumbnails.picture(ui.ctx(), self.lesson, is_in_view);
         if is_in_view {
             self.paint(ui, &response, written, picture);
         }

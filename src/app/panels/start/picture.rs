@@ -1,27 +1,14 @@
-//! Pictures on the start page: that of a card, and what both eyes see, beside the introduction.
+//! Pictures on the cards of the start page.
 
 use eframe::egui::epaint::{CornerRadius, RectShape};
 use eframe::egui::{Color32, Rect, TextStyle, TextureHandle, Ui, pos2, vec2};
 
-use crate::app::views::thumbnails::ThumbnailLook;
-use crate::eye::Eye;
+use crate::lesson::card;
 
 /// Height of a picture in its widths.
-pub const ASPECT: f32 = 0.58;
-/// Greatest number of pixels of a picture to a point.
-const FINEST: f32 = 2.0;
+pub const ASPECT: f32 = card::SIZE[1] as f32 / card::SIZE[0] as f32;
 /// Radius of its corners, points.
 pub const RADIUS: u8 = 9;
-
-/// Returns the look of a picture `width` points wide.
-pub fn look(ui: &Ui, width: f32, eye: Eye) -> ThumbnailLook {
-    let pixels = ui.pixels_per_point().clamp(1.0, FINEST);
-    ThumbnailLook {
-        size: [width, width * ASPECT].map(|side| (side * pixels).round().max(1.0) as u32),
-        in_light_window: !ui.visuals().dark_mode,
-        eye,
-    }
-}
 
 /// Draws `picture` into `rect`; a quiet place until there is one.
 pub fn paint(ui: &Ui, rect: Rect, corners: CornerRadius, picture: Option<&TextureHandle>) {

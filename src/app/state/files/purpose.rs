@@ -30,6 +30,8 @@ pub enum Product {
     Scene,
     /// T running through its range once.
     Film,
+    /// The passage just shown, in ten seconds.
+    TenSeconds,
     /// The fit, as JSON.
     Fit,
     /// Report of the lesson, as a page.
@@ -52,6 +54,7 @@ impl Product {
             Self::State => "state",
             Self::Scene => "scene",
             Self::Film => "film",
+            Self::TenSeconds => "film of 10 s",
             Self::Fit => "fit",
             Self::Report => "report",
             Self::Worksheet => "worksheet",
@@ -72,6 +75,7 @@ impl Product {
             Self::Film => {
                 "Saves T running through its range once: a GIF, an animated PNG, or a folder of pictures."
             }
+            Self::TenSeconds => "Saves the passage just shown as a GIF of 10 s, to put in slides.",
             Self::Fit => "Saves the numbers of the Fit tab, as JSON.",
             Self::Report => "Saves what was predicted and seen in each step, as a page to keep or to print.",
             Self::Worksheet => "Saves the questions with room for answers, as a page to print.",
@@ -94,7 +98,7 @@ impl Product {
     /// Whether the product is made of pictures, which can be of any size.
     #[must_use]
     pub const fn has_size(self) -> bool {
-        matches!(self, Self::Picture | Self::Film)
+        matches!(self, Self::Picture | Self::Film | Self::TenSeconds)
     }
 
     /// Whether the product can be a folder of files, which has no ending.
@@ -111,7 +115,7 @@ impl Product {
             Self::PlotsSvg => &["svg"],
             Self::PlotsCsv => &["csv"],
             Self::State | Self::Scene => &["toml"],
-            Self::Film => &["gif", "png"],
+            Self::Film | Self::TenSeconds => &["gif", "png"],
             Self::Fit => &["json"],
             Self::Report | Self::Worksheet | Self::LabSheet | Self::TeachersPage => &["html"],
         }
@@ -126,6 +130,7 @@ impl Product {
             Self::State => "-state",
             Self::Scene => "-scene",
             Self::Film => "-film",
+            Self::TenSeconds => "-10s",
             Self::Fit => "-fit",
             Self::Report => "-report",
             Self::Worksheet => "-worksheet",
@@ -174,6 +179,7 @@ impl Purpose {
             Self::Save(Product::State) => "Save the state",
             Self::Save(Product::Scene) => "Save the scene of the model",
             Self::Save(Product::Film) => "Save a film",
+            Self::Save(Product::TenSeconds) => "Save a film of 10 s",
             Self::Save(Product::Fit) => "Save the fit",
             Self::Save(Product::Report) => "Save the report of the lesson",
             Self::Save(Product::Worksheet) => "Save the worksheet of the lesson",

@@ -30,6 +30,9 @@ const BACK: u8 = 190;
 const SHOWN: f64 = 9.0;
 const FADE: f64 = 0.2;
 
+/// Height of the lowest picture in which a lesson leaves room for the keys, points.
+const LOWEST_WITH_KEYS: f32 = 320.0;
+
 /// A plate with its label and its number.
 struct Plate {
     label: Arc<Galley>,
@@ -109,7 +112,9 @@ pub fn show(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, free: &[Re
     let fresh = if is_pointed { 1.0 } else { freshness(ui, state) };
     // A lesson may ask about the way.
     let is_asked = state.session.lesson.is_some();
-    let keys = instruments.keys.iter().map(|line| (*line).to_owned()).filter(|_| fresh > 0.0);
+    // In a low picture that is all there is room for.
+    let has_keys = fresh > 0.0 && !(is_asked && height < LOWEST_WITH_KEYS);
+    let keys = instruments.keys.iter().map(|line| (*line).to_owned()).filter(|_| has_keys);
     let way = instruments.way.into_iter().filter(|_| is_asked || fresh > 0.0);
     Shown { lines: way.chain(keys).collect(), opacity: if is_asked { 1.0 } else { fresh }, ..shown }
 }
@@ -143,8 +148,14 @@ impl Shown {
     /// Writes odometers, place and keys into the first corner of the `picture` in which they cover nothing
     /// that is `taken`; returns where.
     pub fn write_beside(self, painter: &Painter, picture: Rect, taken: &[Rect]) -> Option<Rect> {
-        const CORNERS: [Align2; 4] =
-            [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM, Align2::LEFT_CENTER, Align2::RIGHT_CENTER];
+        const CORNERS: [Align2; 6] = [
+            Align2::LEFT_BOTTOM,
+            Align2::RIGHT_BOTTOM,
+            Align2::LEFT_CENTER,
+            Align2::RIGHT_CENTER,
+            Align2::LEFT_TOP,
+            Align2::RIGHT_TOP,
+        ];
         if self.lines.is_empty() {
             return None;
         }

@@ -16,14 +16,64 @@ fn the_smallest_supported_window_holds_every_part_but_the_wavelengths() {
     assert_eq!(layout.panes.len(), 2);
     assert!(layout.spectrum.is_none() && layout.sentence.is_some());
     for pane in &layout.panes {
-        assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 165.0, "{pane:?}");
+        assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 220.0, "{pane:?}");
     }
-    for (part, least) in [(layout.controls, 300.0), (layout.readout, 200.0), (layout.plots, 230.0)] {
+    for (part, least) in [(layout.controls, 300.0), (layout.readout, 200.0), (layout.plots, 140.0)] {
         let part = part.expect("shown");
         assert!(part.width() >= 320.0 && part.height() >= least, "{part:?}");
     }
     let taller = sized([1024.0, 700.0], WindowSettings::default());
     assert!(taller.spectrum.is_some() && taller.sentence.is_some());
+}
+
+/// Returns the share of the window's height that the pictures have, and the height of the plots.
+fn shares(size: [f32; 2], window: WindowSettings) -> (f32, f32) {
+    let layout = sized(size, window);
+    assert_apart(&parts(&layout), size);
+    let lowest = layout.panes.iter().map(|pane| pane.rect.height()).fold(f32::INFINITY, f32::min);
+    (lowest / size[1], layout.plots.expect("shown").height())
+}
+
+#[test]
+fn pictures_have_half_of_the_height_with_few_controls_and_with_all() {
+    for (size, plots) in [
+        ([1280.0, 800.0], 130.0),
+        ([1366.0, 768.0], 130.0),
+        ([1920.0, 1080.0], 200.0),
+        ([1024.0, 600.0], 130.0),
+    ] {
+        let (few, below) = shares(size, WindowSettings::default().with_few(true));
+        assert!(few >= 0.5 && below >= plots, "{size:?}: {few} {below}");
+        let (all, below) = shares(size, WindowSettings::default());
+        let least = if size[1] < 700.0 { 0.4 } else { 0.5 };
+        assert!(all >= least && below >= 140.0, "{size:?}: {all} {below}");
+    }
+}
+
+#[test]
+fn among_few_controls_the_map_stands_below_them_and_the_plots_have_the_strip() {
+    let few = WindowSettings::default().with_few(true);
+    for size in [[1024.0, 600.0], [1280.0, 800.0], [1920.0, 1080.0]] {
+        let layout = sized(size, few);
+        let [controls, map, readout] =
+            [layout.controls, layout.map, layout.readout].map(|part| part.expect("shown"));
+        assert!(controls.max.y <= map.min.y && map.max.y <= readout.min.y, "{size:?}");
+        assert!(map.width() > 300.0 && map.height() > 170.0, "{size:?} {map:?}");
+        assert!(layout.plots.expect("shown").max.x <= controls.min.x, "{size:?}");
+        let hidden = sized(size, WindowSettings { map: Presence::Off, ..few });
+        assert_eq!((hidden.map, hidden.plots), (None, layout.plots), "{size:?}");
+    }
+}
+
+#[test]
+fn pictures_give_way_to_a_fit_and_to_a_map_that_is_asked_for() {
+    let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0));
+    for window in [WindowSettings::default(), WindowSettings::default().with_few(true)] {
+        let fit = layout_of(area, window, PlotTab::Fit).plots.expect("shown");
+        assert!(fit.height() >= 290.0, "{fit:?}");
+    }
+    let map = WindowSettings { map: Presence::On, ..WindowSettings::default() };
+    assert!(sized([1280.0, 800.0], map).map.is_some_and(|map| map.height() >= 270.0));
 }
 
 fn layout_of(area: Rect, window: WindowSettings, tab: PlotTab) -> WindowLayout {
@@ -38,7 +88,7 @@ fn sized(size: [f32; 2], window: WindowSettings) -> WindowLayout {
 
 #[test]
 fn the_map_stands_beside_the_plots_where_there_is_room_and_leaves_the_views_as_large() {
-    for size in [[1280.0, 800.0], [1920.0, 1080.0], [3840.0, 2160.0]] {
+    for size in [[1920.0, 1080.0], [3840.0, 2160.0]] {
         let with_map = sized(size, WindowSettings::default());
         let without = sized(size, WindowSettings { map: Presence::Off, ..WindowSettings::default() });
         let (map, plots) = (with_map.map.expect("shown"), with_map.plots.expect("shown"));

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Color32, Galley, Rect, Ui, pos2, vec2};
+use eframe::egui::{Color32, Galley, Rect, TextStyle, Ui, Vec2, pos2, vec2};
 
 use super::sheet::colour;
 use crate::app::state::State;
@@ -10,9 +10,11 @@ use crate::app::widgets::theme;
 use crate::map::BodyPicture;
 use crate::settings::MapFrame;
 
-/// Height of the legend, and the size of its writing.
+/// Height of a row of the legend, and the most rows that it has.
 const HEIGHT: f32 = 18.0;
-const FONT_SIZE: f32 = 12.0;
+const ROWS: usize = 2;
+/// Height that a map with two rows has at least, in rows.
+const LEAST_MAP: f32 = 4.0;
 /// Side of a square of colour, and the space after it and after each entry.
 const SQUARE: f32 = 9.0;
 const AFTER: f32 = 4.0;
@@ -36,7 +38,7 @@ pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
         MapFrame::Ground | MapFrame::Rider => &WORDS,
         MapFrame::Bicycle => &ON_BOARD,
     };
-    let font = theme::scaled_font(ui.style(), FONT_SIZE);
+    let font = TextStyle::Small.resolve(ui.style());
     let [height, square_side] = [HEIGHT, SQUARE].map(|points| points * theme::text_scale(ui.style()));
     let laid_out = |which: usize| -> Vec<(Color32, Arc<Galley>)> {
         let entry = |(picture, words): &(BodyPicture, [&str; 2])| {
@@ -46,19 +48,37 @@ pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
         };
         entries.iter().map(entry).collect()
     };
-    let width = |laid_out: &[(Color32, Arc<Galley>)]| {
-        laid_out.iter().map(|(_, text)| text.size().x + square_side + AFTER + BETWEEN).sum::<f32>() - BETWEEN
+    let width = |text: &Galley| text.size().x + square_side + AFTER;
+    let in_rows = |which: usize| {
+        let mut rows: Vec<Vec<(Color32, Arc<Galley>)>> = vec![Vec::new()];
+        let mut left = 0.0;
+        for (colour, text) in laid_out(which) {
+            if left > 0.0 && left + width(&text) > rect.width() {
+                rows.push(Vec::new());
+                left = 0.0;
+            }
+            left += width(&text) + BETWEEN;
+            if let Some(row) = rows.last_mut() {
+                row.push((colour, text));
+            }
+        }
+        rows
     };
-    let long = laid_out(0);
-    let shown = if width(&long) <= rect.width() { long } else { laid_out(1) };
-    let mut left = pos2(rect.min.x, rect.min.y + height / 2.0);
-    for (colour, text) in shown {
-        let square =
-            Rect::from_center_size(left + vec2(square_side / 2.0, 0.0), vec2(square_side, square_side));
-        ui.painter().rect_filled(square, 2.0, colour);
-        let place = left + vec2(square_side + AFTER, -text.size().y / 2.0);
-        left.x = place.x + text.size().x + BETWEEN;
-        ui.painter().galley(place, text, ui.visuals().text_color());
+    // Fewer words only where the map itself would be lower than the rows.
+    let long = in_rows(0);
+    let shown = if long.len() <= ROWS && rect.height() > LEAST_MAP * height { long } else { in_rows(1) };
+    let mut top = rect.min.y;
+    for row in shown {
+        let mut left = pos2(rect.min.x, top + height / 2.0);
+        for (colour, text) in row {
+            let square =
+                Rect::from_center_size(left + vec2(square_side / 2.0, 0.0), Vec2::splat(square_side));
+            ui.painter().rect_filled(square, 2.0, colour);
+            let place = left + vec2(square_side + AFTER, -text.size().y / 2.0);
+            left.x += width(&text) + BETWEEN;
+            ui.painter().galley(place, text, ui.visuals().text_color());
+        }
+        top += height;
     }
-    Rect::from_min_max(pos2(rect.min.x, (rect.min.y + height + 2.0).min(rect.max.y)), rect.max)
+    rect.with_min_y((top + 2.0).min(rect.max.y))
 }

@@ -205,20 +205,12 @@ fn upper([first, last]: [Pos2; 2]) -> Pos2 {
     first.lerp(last, 0.93)
 }
 
-/// Names what is not clear by its marks.
+/// Names what is not clear by its marks; first the lines of what is now, which differ by nothing else.
 pub fn name(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     let font = TextStyle::Small.resolve(sheet.ui.style());
     let mut write = |place: Pos2, text: &str, colour: Color32| {
         labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour);
     };
-    let selected = (sheet.state.document.points.selected(), sheet.diagram);
-    for (point, diagram) in [selected].iter().chain(&sheet.others) {
-        if let Some(ends) = shown(sheet, diagram.worldline()) {
-            let colour = theme::point_colour(point.number, sheet.ui.visuals());
-            write(upper(ends), &sheet.state.name_of(point), colour);
-        }
-    }
-    name_eyes(sheet, &mut write);
     let number = number_of_nows(sheet);
     let names = if number == 1 {
         ["now".to_owned(), String::new()]
@@ -236,6 +228,14 @@ pub fn name(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
             write(left.lerp(right, 0.9), &name, colour);
         }
     }
+    let selected = (sheet.state.document.points.selected(), sheet.diagram);
+    for (point, diagram) in [selected].iter().chain(&sheet.others) {
+        if let Some(ends) = shown(sheet, diagram.worldline()) {
+            let colour = theme::point_colour(point.number, sheet.ui.visuals());
+            write(upper(ends), &sheet.state.name_of(point), colour);
+        }
+    }
+    name_eyes(sheet, &mut write);
     name_far_event(sheet, &mut write);
     name_light(sheet, &mut write);
 }
