@@ -48,6 +48,33 @@ impl RestLight {
     }
 }
 
+impl RestLight {
+    /// Describes without a number how the light with these `doppler_factors` looks to the left and the right
+    /// eye: `looks orange to the left eye, yellow to the right`; `None` where they are no numbers.
+    pub(super) fn looks(self, doppler_factors: [f64; 2]) -> Option<String> {
+        let look = |factor: f64| match self {
+            Self::Line(nm) => line_look(received_wavelength(nm, factor)),
+            Self::Glow(_) | Self::Broad if factor > 1.0 => "bluer than at rest".to_owned(),
+            Self::Glow(_) | Self::Broad if factor < 1.0 => "redder than at rest".to_owned(),
+            Self::Glow(_) | Self::Broad => "as at rest".to_owned(),
+        };
+        let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
+        let [left, right] = doppler_factors.map(look);
+        let is_alike = left == right;
+        let beside = if is_alike { String::new() } else { format!(" to the left eye, {right} to the right") };
+        are_numbers.then(|| format!("looks {left}{beside}"))
+    }
+}
+
+/// The colour of a wavelength, or why it has none.
+fn line_look(wavelength_nm: f64) -> String {
+    let name = spectrum::name(wavelength_nm);
+    match Band::from_wavelength(wavelength_nm) {
+        Band::Visible => name.to_owned(),
+        _ => format!("{name} (eyes see nothing)"),
+    }
+}
+
 /// `wavelengths` with unit, `606 and 567 nm`.
 #[must_use]
 pub fn in_words(wavelengths_nm: &[f64]) -> String {

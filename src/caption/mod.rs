@@ -7,6 +7,7 @@
 
 mod light;
 mod numbers;
+mod sentences;
 #[cfg(test)]
 mod tests;
 pub mod times;
@@ -19,6 +20,7 @@ use relativity_render::{Colour, Emission, Geometry, View};
 pub use self::light::{RestLight, in_words};
 pub use self::numbers::decimal;
 use self::numbers::distinct_texts;
+pub use self::sentences::beginnings;
 use self::times::ObserverClock;
 pub use self::unseen::notice;
 use crate::scene::Track;
@@ -140,6 +142,28 @@ impl Moment {
     #[must_use]
     pub fn light(&self) -> Option<String> {
         self.source.described(&self.doppler_factors().into_iter().flatten().collect::<Vec<_>>())
+    }
+
+    /// Describes without a number what the light looks like to each eye; `None` where no light is shown that
+    /// arrives.
+    #[must_use]
+    pub fn looks(&self) -> Option<String> {
+        let [left, right] = self.doppler_factors();
+        self.source.looks([left?, right?])
+    }
+
+    /// Describes how fast the point's time is seen to pass: `its clock looks fast: D = 1.17 and 1.23`; `None`
+    /// where no light is shown that arrives.
+    #[must_use]
+    pub fn pace(&self) -> Option<String> {
+        let [left, right] = self.doppler_factors();
+        let factors = [left?, right?];
+        let word = match factors {
+            [left, right] if left > 1.0 && right > 1.0 => "its clock looks fast: ",
+            [left, right] if left < 1.0 && right < 1.0 => "its clock looks slow: ",
+            _ => "",
+        };
+        Some(format!("{word}D\u{a0}=\u{a0}{}", distinct_texts(&factors, DECIMALS).join(" and\u{a0}")))
     }
 
     /// The moment in a sentence or two.

@@ -49,6 +49,25 @@ fn the_sentence_tells_times_wavelengths_and_colours_of_both_eyes() {
 }
 
 #[test]
+fn few_words_tell_colours_and_the_pace_of_the_clock() {
+    let early = moment(&settings(0.9, 0.1), 1.1);
+    assert_eq!(early.looks().as_deref(), Some("looks orange to the left eye, yellow to the right"));
+    let factors = core(0.9, 0.1, 1.1).map(|[_, nm, _]| 700.0 / nm);
+    let expected = format!("its clock looks fast: D = {:.2} and {:.2}", factors[0], factors[1]);
+    assert_eq!(early.pace().map(|pace| pace.replace('\u{a0}', " ")), Some(expected));
+    let late = moment(&settings(0.9, 0.0), 12.0);
+    assert_eq!(late.looks().as_deref(), Some("looks infrared (eyes see nothing)"));
+    assert!(late.pace().is_some_and(|pace| pace.starts_with("its clock looks slow: D")));
+    let mut white = settings(0.9, 0.1);
+    white.light.colour = Colour::White;
+    assert_eq!(moment(&white, 1.1).looks().as_deref(), Some("looks bluer than at rest"));
+    let mut contracted = settings(0.9, 0.1);
+    contracted.look.geometry = Geometry::Contracted;
+    let measured = moment(&contracted, 1.1);
+    assert_eq!((measured.looks(), measured.pace()), (None, None));
+}
+
+#[test]
 fn a_sentence_has_the_units_of_the_window() {
     let scene = Scene::preset("cyclist").expect("a preset");
     let told =

@@ -55,6 +55,15 @@ impl fmt::Display for RideLegs {
     }
 }
 
+impl RideLegs {
+    /// Returns the legs with durations of few digits, to read: a leg that was pushed ends between two frames.
+    #[must_use]
+    pub fn rounded(&self) -> Self {
+        let round = |leg: &Leg| Leg { duration: (1e3 * leg.duration).round() / 1e3, ..*leg };
+        Self(self.0.as_ref().map(|legs| legs.iter().map(round).collect()))
+    }
+}
+
 impl FromStr for RideLegs {
     type Err = String;
 

@@ -13,8 +13,7 @@ use gamow::flags::choices::RendererChoice;
 use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
 
 use super::support::{
-    assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, wait_for, wide_window,
-    window_of_size,
+    assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, wait_for, window_of_size,
 };
 use super::{Test, device};
 
@@ -112,7 +111,7 @@ fn what_changes_is_drawn_plainly_at_once() {
 }
 
 fn what_was_chosen_and_why_is_said() {
-    let mut window = wide_window(cyclist(0.9));
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 880.0], 1.0);
     assert!(label_starting_with(&window, "Chosen: ").ends_with(", within 0.002 px"));
     for (goal, end) in [
         (Goal::Error(1e-4), ", exact"),

@@ -17,7 +17,7 @@ use relativity_render::Geometry;
 use super::Test;
 use super::picking::{FRONT_TYRE, ON_THE_TYRE, click};
 use super::support::{
-    SEPARATION, cyclist, in_layout, label_starting_with, labels, open, shown, window, window_of_size,
+    SEPARATION, cyclist, in_layout, label_starting_with, labels, open, rest, shown, window, window_of_size,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -62,6 +62,8 @@ fn the_second_picture_is_that_of_its_geometry_by_itself() {
         let mut alone = compared(Compare::Off);
         alone.document.settings.look.geometry = geometry;
         let mut alone = window(alone);
+        rest(&mut alone);
+        rest(&mut both);
         let place = alone.get_by_label("Left eye view").rect();
         assert!((place.size() - second.size()).abs().max_elem() < 0.5, "{place:?} {second:?}");
         let [seen, in_it, by_itself] =
@@ -182,12 +184,12 @@ fn a_comparison_is_chosen_by_key_saved_and_opened() {
         ("Left eye view: D⁴ surface", "Left eye view: D² paper"),
         ("Left eye view", "Right eye view"),
     ] {
-        window.key_press(Key::B);
+        window.key_press_modifiers(Modifiers::SHIFT, Key::B);
         window.run();
         window.get_by_label(name);
         window.get_by_label(other);
     }
-    window.key_press(Key::B);
+    window.key_press_modifiers(Modifiers::SHIFT, Key::B);
     window.run();
     let told = window.state().state().shown().to_toml();
     assert!(told.contains("compare = \"contracted\""), "{told}");

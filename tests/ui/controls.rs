@@ -218,7 +218,7 @@ fn one_light_cone_for_both_eyes_is_one_click_away() {
 
 fn each_effect_changes_the_picture() {
     // High enough that every control is in view.
-    let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 1660.0], 1.0);
     let mut last = window.render().expect("a picture").into_raw();
     for effect in ["As at rest", "Off", "False", "Plain", "Sky", "Contracted", "At rest"] {
         window.get_by_label(effect).click();
@@ -255,7 +255,7 @@ fn settings_survive_saving_and_loading() {
 }
 
 /// Returns the labels of all that can be clicked, dragged or typed into, besides plots and views.
-fn controls(window: &Harness<'_, App>) -> Vec<String> {
+pub fn controls(window: &Harness<'_, App>) -> Vec<String> {
     let is_control = |role: Role| {
         matches!(
             role,

@@ -14,7 +14,7 @@ use gamow::app::tools::painting;
 use gamow::flags::choices::RendererChoice;
 
 use super::Test;
-use super::support::{builder, cyclist, settle, wide_window};
+use super::support::{builder, cyclist, settle, window_of_size};
 
 pub const TESTS: &[Test] = trials![
     a_device_that_refuses_leaves_the_views_to_the_cpu,
@@ -61,7 +61,7 @@ fn a_device_that_refuses_leaves_the_views_to_the_cpu() {
     assert_eq!(notice(&harness), None);
     assert!((harness.state().state().speed().beta() - 0.9).abs() < 1e-12);
     let picture = harness.render().expect("it is drawn");
-    let default = wide_window(cyclist(0.9)).render().expect("it is drawn");
+    let default = window_of_size(cyclist(0.9), [1280.0, 800.0], 1.0).render().expect("it is drawn");
     let off = picture.pixels().zip(default.pixels());
     let off = off.filter(|(a, b)| (0..3).any(|i| a.0[i].abs_diff(b.0[i]) > 48)).count();
     // Outlines differ by how rays share pixels; without pictures a quarter of the window would.

@@ -15,7 +15,7 @@ use gamow::app::state::files::purpose::Purpose;
 
 use super::Test;
 use super::picking::click;
-use super::support::{Wakes, cyclist, labels, open, pane, wait_for_file, window};
+use super::support::{Wakes, cyclist, labels, open, pane, rest, wait_for_file, window};
 
 pub const TESTS: &[Test] = trials![
     the_last_of_two_files_is_shown,
@@ -116,8 +116,7 @@ fn a_scene_is_read_again_when_its_file_changes() {
     assert_eq!(before.document.points.selected().body, Some(0), "the big ball is in the middle");
     // Watching costs no frames.
     window.remove_cursor();
-    window.run();
-    window.step();
+    rest(&mut window);
     assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
 
     let wakes = Wakes::of(&window);
@@ -204,8 +203,9 @@ fn scene_time_point_and_files_are_remembered() {
     assert_eq!(again.document.points.selected().track, left.document.points.selected().track);
     assert_eq!(loaded.memory.recent().all(), [balls]);
     // The start is the same preset at any T.
-    let mut window =
-        super::support::window(State::open(gamow::settings::Settings::default()).expect("a preset"));
+    let mut window = super::support::window(
+        State::open(gamow::settings::Preset::all()[0].settings.clone()).expect("a preset"),
+    );
     ask(&mut window, Command::Playback(PlaybackCommand::GoTo(1.25)));
     Keeper::in_folder(kept.path()).keep(window.state().state()).expect("it is written");
     let again = State::open(Keeper::in_folder(kept.path()).load().settings).expect("it is there");

@@ -18,7 +18,9 @@ use relativity_core::{
 use relativity_render::Geometry;
 
 use super::Test;
-use super::support::{SEPARATION, cyclist, labels, seen, settle, shown, type_into, window, window_of_size};
+use super::support::{
+    SEPARATION, cyclist, labels, rest, seen, settle, shown, type_into, window, window_of_size,
+};
 
 pub const TESTS: &[Test] = trials![
     the_fit_recovers_speed_and_distance,
@@ -257,8 +259,7 @@ fn a_hidden_fit_is_not_made() {
 
 fn a_window_that_shows_a_fit_rests() {
     let mut window = window_with_fit(fitted(0.9, FitSettings::default()));
-    window.run();
-    window.step();
+    rest(&mut window);
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX);
     window.state_mut().run(PlaybackCommand::GoTo(2.0));
@@ -316,8 +317,7 @@ fn the_corrected_picture_costs_nothing_when_off() {
     window.run_steps(2);
     settle(&mut window);
     assert!(window.get_by_label("Left eye view").rect().width() < 0.8 * before.width());
-    window.run();
-    window.step();
+    rest(&mut window);
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX);
     window.get_by_label("corrected").click();

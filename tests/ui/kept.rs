@@ -6,7 +6,7 @@ use egui_kittest::wgpu::WgpuTestRenderer;
 use gamow::app::shell::App;
 use gamow::flags::choices::RendererChoice;
 
-use super::support::{builder, cyclist};
+use super::support::{builder, cyclist, wait_for};
 use super::{Test, device};
 
 pub const TESTS: &[Test] = trials![switches_keep_nothing_on_the_device,];
@@ -53,6 +53,8 @@ fn switches_keep_nothing_on_the_device() {
                     harness.key_press(*key);
                     harness.run_steps(2);
                 }
+                // Pictures that fade are kept until then.
+                wait_for(&mut harness, "nothing fades", |window| !window.state().is_fading());
                 live(&instance)
             };
             round();

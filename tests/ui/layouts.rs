@@ -14,7 +14,7 @@ use gamow::scene::{PRESETS, Scene};
 use gamow::settings::{PlotSettings, PlotTab, Theme};
 
 use super::Test;
-use super::support::{cyclist, labels, window, window_of_size, window_without_pictures};
+use super::support::{cyclist, labels, wide_window, window, window_of_size, window_without_pictures};
 
 pub const TESTS: &[Test] = trials![
     every_part_is_in_the_window_from_1024x600_to_4k,
@@ -164,7 +164,7 @@ fn every_scene_shows() {
 }
 
 fn hidden_parts_make_room() {
-    let mut window = window(cyclist(0.9));
+    let mut window = wide_window(cyclist(0.9));
     let before = window.get_by_label("Left eye view").rect();
     for part in ["Controls", "Plots", "Map"] {
         window.get_by_label(part).click();

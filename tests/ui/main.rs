@@ -17,6 +17,7 @@ mod controls;
 mod device;
 mod faults;
 mod files;
+mod first_sight;
 mod fit;
 mod groups;
 mod insane;
@@ -71,6 +72,7 @@ fn main() -> ExitCode {
         controls::TESTS,
         faults::TESTS,
         files::TESTS,
+        first_sight::TESTS,
         fit::TESTS,
         groups::TESTS,
         insane::TESTS,

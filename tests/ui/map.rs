@@ -16,7 +16,9 @@ use relativity_core::Speed;
 use super::Test;
 use super::layouts::assert_no_broken_numbers;
 use super::picking::click;
-use super::support::{SEPARATION, TRACKED, cyclist, drag, label_starting_with, labels, seen, window_of_size};
+use super::support::{
+    SEPARATION, TRACKED, cyclist, drag, label_starting_with, labels, seen, wide_window, window_of_size,
+};
 
 pub const TESTS: &[Test] = trials![
     marks_on_the_map_are_where_the_numbers_say_to_half_a_pixel,
@@ -36,7 +38,7 @@ const SIZES: [[f32; 2]; 4] = [[800.0, 600.0], [1024.0, 600.0], [1280.0, 800.0], 
 
 /// A window that is large enough for the map shows `state`.
 fn map_window(state: State) -> Harness<'static, App> {
-    window_of_size(state, [1280.0, 800.0], 1.0)
+    wide_window(state)
 }
 
 /// The middle of the mark called `name`.

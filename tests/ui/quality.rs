@@ -16,7 +16,7 @@ use gamow::settings::{PlotSettings, PlotTab};
 use relativity_render::Method;
 
 use super::Test;
-use super::support::{cyclist, labels, pane, settle, type_into, wide_window, window_of_size};
+use super::support::{cyclist, labels, pane, rest, settle, type_into, wide_window, window_of_size};
 
 pub const TESTS: &[Test] = trials![
     the_reference_draws_the_views_if_chosen,
@@ -81,6 +81,7 @@ fn the_reference_draws_the_views_if_chosen() {
         reference < 0.01 && reference < 0.7 * exact,
         "{reference} of the pixels differ, of exact {exact}"
     );
+    rest(&mut window);
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX, "a window at rest uses no processor");
     // While something moves, the rays stand in.

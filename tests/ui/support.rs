@@ -60,7 +60,8 @@ pub fn window(state: State) -> Harness<'static, App> {
 }
 
 /// A window with room for every part, its whole bar, and a map.
-pub fn wide_window(state: State) -> Harness<'static, App> {
+pub fn wide_window(mut state: State) -> Harness<'static, App> {
+    state.run(SettingsCommand::Value { name: "map", value: "on".to_owned() });
     window_of_size(state, [1280.0, 800.0], 1.0)
 }
 
@@ -196,6 +197,11 @@ pub fn wait_for(
         thread::sleep(Duration::from_millis(10));
         window.step();
     }
+}
+
+/// Steps the window until the notes on its pictures have faded: it is at rest then.
+pub fn rest(window: &mut Harness<'_, App>) {
+    window.run_steps((5.0 / FRAME) as usize);
 }
 
 /// Steps the window until no work is left in the background: in three frames together, since some begins in

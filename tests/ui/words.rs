@@ -13,8 +13,7 @@ use relativity_render::Geometry;
 
 use super::Test;
 use super::support::{
-    cyclist, drag, label_starting_with, labels, seen, slider, wide_window, window, window_of_size,
-    window_without_pictures,
+    cyclist, drag, label_starting_with, labels, seen, slider, window, window_of_size, window_without_pictures,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -151,7 +150,9 @@ fn words_are_in_the_window_from_800x600_on() {
 }
 
 fn words_that_are_switched_off_are_gone() {
-    let mut window = wide_window(cyclist(0.9));
+    let mut state = cyclist(0.9);
+    state.run(SettingsCommand::Value { name: "map", value: "on".to_owned() });
+    let mut window = window_of_size(state, [1280.0, 900.0], 1.0);
     let before = window.get_by_label("Left eye view").rect();
     let has =
         |window: &Harness<'_, App>, name: &str| labels(window).iter().any(|label| label.starts_with(name));

@@ -16,6 +16,7 @@ use crate::app::state::files::recent::file_name;
 use crate::app::state::overlay::Overlay;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
+use crate::caption::beginnings;
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Theme, WindowSettings, about, meaning};
 use crate::units::Units;
@@ -41,7 +42,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let width = ui.available_width();
     ui.horizontal_centered(|ui| {
         if width >= NARROWEST_WITH_NAME {
-            ui.label(RichText::new("Gamow").heading().strong());
+            ui.label(RichText::new("Gamow").strong());
         }
         file_menu::show(ui, state, commands);
         scene(ui, state, commands);
@@ -107,9 +108,10 @@ fn pages(ui: &mut Ui, state: &State, has_room: bool, commands: &mut Commands) {
 /// Shows as many whole sentences of the preset's caption as fit in two lines, and all of it on hover.
 fn caption(ui: &mut Ui, state: &State) {
     let has_room = ui.available_width() >= NARROWEST_CAPTION;
-    // On a page nothing of the preset is seen.
-    let is_seen = has_room && !state.session.overlay.is_some_and(Overlay::is_page);
-    let Some(preset) = state.document.preset.filter(|_| is_seen) else { return };
+    // On a page nothing of the preset is seen, and of own data it says nothing.
+    let is_page = state.session.overlay.is_some_and(Overlay::is_page);
+    let is_told = has_room && !is_page && state.session.data.is_none();
+    let Some(preset) = state.document.preset.filter(|_| is_told) else { return };
     let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
     let laid = |text: &str| {
@@ -117,16 +119,9 @@ fn caption(ui: &mut Ui, state: &State) {
         job.wrap = wrap.clone();
         ui.painter().layout_job(job)
     };
-    let sentences = sentences(&preset.caption);
-    let fits = sentences.iter().rev().map(|text| laid(text)).find(|galley| !galley.elided);
-    let galley = fits.unwrap_or_else(|| laid(sentences[0]));
+    let fits = beginnings(&preset.caption).iter().rev().map(|text| laid(text)).find(|galley| !galley.elided);
+    let galley = fits.unwrap_or_else(|| laid(&preset.caption));
     ui.label(galley).on_hover_text(&preset.caption);
-}
-
-/// Returns the first sentence of `text`, the first two, and so on up to all of it.
-fn sentences(text: &str) -> Vec<&str> {
-    let ends = text.match_indices(". ").map(|(at, _)| &text[..=at]);
-    ends.chain([text]).collect()
 }
 
 fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {

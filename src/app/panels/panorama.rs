@@ -11,7 +11,7 @@ use crate::app::widgets::theme;
 use crate::flags::choices::{Form, ProjectionChoice};
 
 /// A views' area at least this many times as wide as high offers the panorama.
-const WIDE: f32 = 2.4;
+const WIDE: f32 = 2.0;
 
 /// From the left end of a title to beyond the longest name of an eye, points.
 const AFTER_NAME: f32 = 100.0;

@@ -13,38 +13,81 @@ use crate::app::state::points::Point;
 use crate::app::state::queries::on_wheel::{OnWheel, angle_text};
 use crate::app::widgets::theme;
 use crate::app::widgets::{dot, named_text};
+use crate::caption::capitalised;
 use crate::caption::times::TimeName;
 use crate::eye::Eye;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Diagram;
 use crate::number_text;
 use crate::quantity::{Of, Quantity, Row};
+use crate::settings::WindowSettings;
 
-/// Shows the readout of the selected point.
+/// Shows the readout of the selected point: among few controls in words, unless its numbers are asked for.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    let point = state.document.points.selected();
+    let window = state.document.settings.window;
     ui.spacing_mut().item_spacing.y = 3.0;
-    ui.horizontal(|ui| {
-        if !state.document.settings.window.simple {
-            fold(ui, state, commands);
+    if window.simple {
+        words(ui, state, commands);
+        if !window.readout {
+            return;
         }
-        let colour = theme::point_colour(point.number, ui.visuals());
-        dot(ui, colour);
-        ui.label(state.name_of(point));
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let Velocity { speed, is_backward } = state.velocity(point);
-            let sign = if is_backward { "−" } else { "" };
-            ui.label(RichText::new(format!("β {sign}{}", number_text::beta(&speed))).weak());
+        ui.separator();
+    } else {
+        ui.horizontal(|ui| {
+            fold(ui, state, commands);
+            name(ui, state);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let Velocity { speed, is_backward } = state.velocity(state.document.points.selected());
+                let sign = if is_backward { "−" } else { "" };
+                ui.label(RichText::new(format!("β {sign}{}", number_text::beta(&speed))).weak());
+            });
         });
-    });
+    }
     differences(ui, state);
     stereo(ui, state);
-    if !state.document.settings.window.readout {
-        return;
+    if window.readout {
+        ui.separator();
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| table(ui, state));
     }
-    ui.separator();
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| table(ui, state));
 }
+
+/// Shows the name of the selected point in its colour.
+fn name(ui: &mut Ui, state: &State) {
+    let point = state.document.points.selected();
+    dot(ui, theme::point_colour(point.number, ui.visuals()));
+    ui.label(state.name_of(point));
+}
+
+/// Shows the selected point in words: how it looks, how fast its time is seen to pass, and how far apart the
+/// eyes see it; and the button for its numbers.
+fn words(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    let window = state.document.settings.window;
+    ui.horizontal(|ui| {
+        name(ui, state);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let button = ui.add(egui::Button::new("Numbers").selected(window.readout));
+            if button.on_hover_text(NUMBERS_TIP).clicked() {
+                let readout = !window.readout;
+                commands.push(SettingsCommand::Window(WindowSettings { readout, ..window }).into());
+            }
+        });
+    });
+    let moment = state.moment();
+    ui.label(capitalised(&moment.looks().unwrap_or_else(|| NO_LIGHT.to_owned())));
+    if let Some(pace) = moment.pace() {
+        ui.label(capitalised(&pace)).on_hover_text(Quantity::Doppler.row().about);
+    }
+    let apart = state.disparity(state.document.points.selected());
+    if let Some(apart) = apart.and_then(|both| Quantity::DeltaPhi.seen(&both)) {
+        let degrees = number_text::fixed(apart.to_degrees().abs(), 2);
+        ui.label(format!("The eyes see it {degrees}° apart")).on_hover_text(Quantity::DeltaPhi.row().about);
+    }
+}
+
+const NUMBERS_TIP: &str = "Shows what each eye receives of the selected point now: times, places, angles and \
+    wavelengths, and where two eyes place it.";
+
+const NO_LIGHT: &str = "drawn without the light that arrives: nobody sees this";
 
 /// Shows a table of what each eye receives.
 fn table(ui: &mut Ui, state: &State) {

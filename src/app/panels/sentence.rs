@@ -5,9 +5,9 @@ use eframe::egui::{self, Align2, FontId, Ui, accesskit::Role, text::LayoutJob};
 use crate::app::state::State;
 use crate::app::widgets::theme;
 
-/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and the end
-/// left out.
-const SIZES: [f32; 4] = [14.0, 13.0, 12.0, theme::SMALLEST_SIZE];
+/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and words at
+/// the end are left out.
+const SIZES: [f32; 2] = [theme::BODY_SIZE, theme::SMALL_SIZE];
 
 /// Greatest magnification relative to other large writing.
 const LARGEST: f32 = 1.5;
@@ -30,11 +30,14 @@ pub fn show(ui: &mut Ui, state: &State) {
     let fitting = sizes.map(laid_out).find(|galley| galley.size().y <= rect.height());
     let is_whole = fitting.is_some();
     let galley = fitting.unwrap_or_else(|| {
-        let font = FontId::proportional(theme::SMALLEST_SIZE);
-        let row = ui.fonts_mut(|fonts| fonts.row_height(&font));
-        let mut job = LayoutJob::simple(tied.clone(), font, colour, rect.width());
-        job.wrap.max_rows = ((rect.height() / row) as usize).max(1);
-        ui.painter().layout_job(job)
+        let cut = |words: &[&str]| {
+            let text = format!("{} …", words.join(" "));
+            let font = FontId::proportional(theme::SMALL_SIZE);
+            ui.painter().layout(text, font, colour, rect.width())
+        };
+        let words: Vec<&str> = tied.split(' ').collect();
+        let shorter = (1..words.len()).rev().map(|count| cut(&words[..count]));
+        shorter.into_iter().find(|galley| galley.size().y <= rect.height()).unwrap_or_else(|| cut(&[]))
     });
     let place = Align2::LEFT_CENTER.anchor_size(rect.left_center(), galley.size());
     ui.painter().galley(place.min, galley, colour);

@@ -24,9 +24,8 @@ const BELOW: f32 = 3.0;
 const BETWEEN: f32 = 12.0;
 /// Least space between a mark and a name on the strip.
 const NAME_MARGIN: f32 = 6.0;
-/// Size of the writing.
-const FONT: FontId = FontId::proportional(12.0);
-const SMALL_FONT: FontId = FontId::proportional(11.0);
+/// Writing on the scale and above it.
+const FONT: FontId = FontId::proportional(theme::SMALL_SIZE);
 
 /// Shows the strip of wavelengths.
 pub fn show(ui: &mut Ui, state: &State) {
@@ -138,7 +137,7 @@ fn paint_names(painter: &Painter, strip: Rect, marks: &[WavelengthMark], visuals
         (strip.max.x - 5.0, Align2::RIGHT_CENTER, "3 µm"),
     ];
     for (x, align, text) in names {
-        let galley = painter.layout_no_wrap(text.to_owned(), SMALL_FONT, visuals.text_color());
+        let galley = painter.layout_no_wrap(text.to_owned(), FONT, visuals.text_color());
         let rect = align.anchor_size(pos2(x, strip.center().y), galley.size());
         let room = rect.x_range().expand(NAME_MARGIN);
         if !marks.iter().any(|mark| room.contains(mark.x(strip))) {

@@ -13,6 +13,7 @@ use super::Commands;
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, PlaybackCommand, SettingsCommand};
 use crate::app::state::State;
+use crate::app::views::window_layout::has_timeline_in_a_row;
 use crate::app::widgets;
 use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::icons::{self, Icon};
@@ -78,12 +79,25 @@ fn time_width(state: &State) -> f32 {
 /// Shows the timeline with its scrubber.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.spacing_mut().item_spacing.y = 3.0;
+    let window = state.document.settings.window;
+    if has_timeline_in_a_row(window, ui.available_width()) {
+        ui.horizontal_top(|ui| {
+            ui.horizontal(|ui| {
+                transport(ui, state, commands);
+                ui.add_space(theme::GAP / 2.0);
+                time(ui, state, commands);
+            });
+            ui.add_space(theme::GAP / 2.0);
+            ui.vertical(|ui| scrubber(ui, state, commands));
+        });
+        return;
+    }
     let shown = PlaybackControls::within(ui.available_width(), state);
     ui.horizontal(|ui| {
         transport(ui, state, commands);
         ui.separator();
         time(ui, state, commands);
-        if !state.document.settings.window.simple {
+        if !window.simple {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, shown, commands));
         }
     });
@@ -123,10 +137,12 @@ fn time(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let [from, to] = state.time_range();
     let unit = state.measures().time;
     // While it runs, digits that nobody can read would only flicker.
-    let most = if state.scratch.playing { 3 } else { 6 };
+    let is_simple = state.document.settings.window.simple;
+    let least = if is_simple { 2 } else { 3 };
+    let most = if is_simple || state.scratch.playing { least } else { 6 };
     let number = widgets::measure(&mut time, unit, -MAX_TIME..=MAX_TIME)
         .speed(unit.shown((to - from) / 1000.0))
-        .min_decimals(unit.decimals(3).into())
+        .min_decimals(unit.decimals(least).into())
         .max_decimals(unit.decimals(most).into());
     let response = ui.add_sized([time_width(state), ui.spacing().interact_size.y], number);
     if widgets::explained(response, tip).accessible_name("T, typed").changed() {
@@ -238,8 +254,8 @@ fn scrubber(ui: &mut Ui, state: &State, commands: &mut Commands) {
 const NAMES_HEIGHT: f32 = 15.0;
 /// Least space between two of them.
 const BETWEEN: f32 = 14.0;
-/// A smaller part of the range of T is 0.
-const ROUNDING: f64 = 1e-12;
+/// A smaller part of the range of T is 0: the vertices of models are rounded to single precision.
+const ROUNDING: f64 = 1e-6;
 
 /// A time to go to: when the selected point is abreast, in one sense of the word or the other.
 struct TimeMark {
@@ -273,13 +289,18 @@ impl TimeMark {
         marks.into_iter().flatten().collect()
     }
 
-    /// Returns the text below the scrubber, with the mark at this `fraction` of its way.
-    fn text(&self, unit: Unit, fraction: f64) -> String {
-        let time = unit.text(self.time, 2);
+    /// Returns the text below the scrubber, with the mark at this `fraction` of its way; `with_time` says when
+    /// it is.
+    fn text(&self, unit: Unit, fraction: f64, with_time: bool) -> String {
+        let text = if with_time {
+            format!("{} {}", self.name, unit.text(self.time, 2))
+        } else {
+            self.name.to_owned()
+        };
         match fraction {
-            ..0.0 => format!("← {} {time}", self.name),
-            0.0..=1.0 => format!("{} {time}", self.name),
-            _ => format!("{} {time} →", self.name),
+            ..0.0 => format!("← {text}"),
+            0.0..=1.0 => text,
+            _ => format!("{text} →"),
         }
     }
 }
@@ -308,9 +329,13 @@ fn marks(ui: &mut Ui, state: &State, slider: Rect, commands: &mut Commands) {
         (TimeMark::all(state, ui.visuals()), state.measures().time, state.time_range());
     let font = TextStyle::Small.resolve(ui.style());
     let fraction = |mark: &TimeMark| (mark.time - from) / (to - from);
+    let with_time = !state.document.settings.window.simple;
     let galleys: Vec<_> = marks
         .iter()
-        .map(|mark| ui.painter().layout_no_wrap(mark.text(unit, fraction(mark)), font.clone(), mark.colour))
+        .map(|mark| {
+            let text = mark.text(unit, fraction(mark), with_time);
+            ui.painter().layout_no_wrap(text, font.clone(), mark.colour)
+        })
         .collect();
     let spans: Vec<Span> = marks
         .iter()

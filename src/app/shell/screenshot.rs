@@ -70,8 +70,8 @@ fn render_state() -> anyhow::Result<RenderState> {
 fn input([width, height]: [u32; 2], frame: usize) -> RawInput {
     RawInput {
         screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32))),
-        // Far enough apart that animations are over.
-        time: Some(frame as f64),
+        // Far enough apart that animations are over, and notes have faded.
+        time: Some(5.0 * frame as f64),
         ..RawInput::default()
     }
 }

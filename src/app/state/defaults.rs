@@ -1,4 +1,4 @@
-//! Defaults: those of the shown preset, or else of a window that starts; and the ways back to them.
+//! Defaults: those of the shown preset, or else the program's own; and the ways back to them.
 
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
@@ -65,7 +65,7 @@ impl Section {
 }
 
 impl State {
-    /// Returns the defaults: those of the lesson or the shown preset, else those of a window that starts.
+    /// Returns the defaults: those of the lesson or the shown preset, else the program's own.
     #[must_use]
     pub fn defaults(&self) -> Settings {
         let of_preset =
@@ -79,7 +79,7 @@ impl State {
         match self.document.preset {
             _ if self.session.lesson.is_some() => "those of the lesson here".to_owned(),
             Some(preset) => format!("those of the preset “{}”", preset.title),
-            None => "those of a new window".to_owned(),
+            None => "the program's own".to_owned(),
         }
     }
 

@@ -117,12 +117,12 @@ pub const fn preference(theme: Theme) -> ThemePreference {
     }
 }
 
-/// The smallest writing there is, points.
-pub const SMALLEST_SIZE: f32 = 11.0;
-/// Size of small writing, points.
-pub const SMALL_SIZE: f32 = 11.5;
+/// Size of small writing, the smallest there is, points.
+pub const SMALL_SIZE: f32 = 12.0;
 /// Size of most writing, points.
 pub const BODY_SIZE: f32 = 14.0;
+/// Size of titles, and of the speed, points. There are no sizes but these three.
+pub const HEADING_SIZE: f32 = 20.0;
 
 /// Magnifies all text by `scale`.
 pub fn scale_text(ctx: &egui::Context, scale: f32) {
@@ -144,8 +144,8 @@ pub fn set_body_size(style: &mut egui::Style, size: f32) {
         (TextStyle::Small, size(SMALL_SIZE, FontFamily::Proportional)),
         (TextStyle::Body, size(BODY_SIZE, FontFamily::Proportional)),
         (TextStyle::Button, size(BODY_SIZE, FontFamily::Proportional)),
-        (TextStyle::Heading, size(16.0, FontFamily::Proportional)),
-        (TextStyle::Monospace, size(13.0, FontFamily::Monospace)),
+        (TextStyle::Heading, size(HEADING_SIZE, FontFamily::Proportional)),
+        (TextStyle::Monospace, size(SMALL_SIZE, FontFamily::Monospace)),
     ]
     .into();
 }
@@ -154,12 +154,6 @@ pub fn set_body_size(style: &mut egui::Style, size: f32) {
 #[must_use]
 pub fn text_scale(style: &egui::Style) -> f32 {
     TextStyle::Body.resolve(style).size / BODY_SIZE
-}
-
-/// Writing of this size, points, as much larger as all other writing of this `style` is.
-#[must_use]
-pub fn scaled_font(style: &egui::Style, points: f32) -> FontId {
-    FontId::proportional(points * text_scale(style))
 }
 
 /// Sets fonts, spacing and both palettes.
@@ -283,12 +277,13 @@ mod tests {
     }
 
     #[test]
-    fn no_writing_is_smaller_than_eleven_points() {
+    fn there_are_three_sizes_of_writing_and_none_below_twelve_points() {
         let ctx = egui::Context::default();
         install(&ctx);
         for theme in [egui::Theme::Dark, egui::Theme::Light] {
             for (name, font) in &ctx.style_of(theme).text_styles {
-                assert!(font.size >= SMALLEST_SIZE, "{theme:?} {name}: {}", font.size);
+                let sizes = [SMALL_SIZE, BODY_SIZE, HEADING_SIZE];
+                assert!(font.size >= 12.0 && sizes.contains(&font.size), "{theme:?} {name}: {}", font.size);
             }
         }
     }

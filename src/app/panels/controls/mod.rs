@@ -10,7 +10,7 @@ mod screen;
 mod speed;
 mod two_eyes;
 
-use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui};
+use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui, UiBuilder};
 use relativity_render::Geometry;
 
 use self::speed::SpeedControl;
@@ -63,31 +63,50 @@ pub fn show_speed(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
 }
 
-/// Shows the controls in their sections.
+/// Height of the row below all controls.
+const FOOT: f32 = 28.0;
+
+/// Shows the controls in their sections, and below them the way to fewer.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 3.0;
-        if state.document.settings.window.simple {
-            return few(ui, state, commands);
-        }
-        for (part, rows) in sections(state.document.settings.ride.is_on()) {
-            let tip = format!("Resets this section to its defaults, {}.", state.defaults_source());
-            let reset = (!state.is_default_in(part)).then_some(tip.as_str());
-            if section(ui, part.title(), reset, |ui| rows(ui, state, commands)) {
-                commands.push(SettingsCommand::ResetSection(part).into());
+    if state.document.settings.window.simple {
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| few(ui, state, commands));
+        return;
+    }
+    let whole = ui.max_rect();
+    let middle = (whole.max.y - FOOT).max(whole.min.y);
+    let above = UiBuilder::new().max_rect(whole.with_max_y(middle));
+    ui.scope_builder(above, |ui| {
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 3.0;
+            for (part, rows) in sections(state.document.settings.ride.is_on()) {
+                let tip = format!("Resets this section to its defaults, {}.", state.defaults_source());
+                let reset = (!state.is_default_in(part)).then_some(tip.as_str());
+                if section(ui, part.title(), reset, |ui| rows(ui, state, commands)) {
+                    commands.push(SettingsCommand::ResetSection(part).into());
+                }
             }
-        }
+        });
+    });
+    let foot = UiBuilder::new().max_rect(whole.with_min_y(middle + 2.0));
+    ui.scope_builder(foot, |ui| {
+        let tip = "Shows speed, separation, time and one plot, and words in place of most numbers.";
+        switch(ui, "Fewer controls", tip, commands);
     });
 }
 
 /// The controls of who sees the window for the first time, and the way to all others.
 fn few(ui: &mut Ui, state: &State, commands: &mut Commands) {
+    ui.spacing_mut().item_spacing.y = 3.0;
     motion(ui, state, commands);
     ride::button(ui, state, commands);
-    ui.add_space(theme::GAP);
-    let tip = "Shows all controls (path, look, light, quality) and all plots. The palette (Ctrl+P) leads \
-        back.";
-    if ui.button("More controls").on_hover_text(tip).clicked() {
+    ui.add_space(theme::GAP / 2.0);
+    let tip = "Shows all controls (path, look, light, quality), all plots and all numbers.";
+    switch(ui, "More controls", tip, commands);
+}
+
+/// The button that changes from few controls to all and back.
+fn switch(ui: &mut Ui, name: &str, tip: &str, commands: &mut Commands) {
+    if ui.button(name).on_hover_text(tip).clicked() {
         commands.push(SettingsCommand::Switch(Switch::Simple).into());
     }
 }
@@ -97,7 +116,7 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let measures = state.measures();
     let default = state.defaults().motion;
     let is_simple = state.document.settings.window.simple;
-    let fields = if is_simple { &speed::FIELDS[..1] } else { &speed::FIELDS };
+    let fields: &[speed::Field] = if is_simple { &[] } else { &speed::FIELDS };
     let is_riding = state.document.settings.ride.is_on();
     if is_riding {
         ride::speeds(ui, state, commands);

@@ -135,7 +135,7 @@ fn direction(ui: &mut Ui, ride: &mut Riding, default: &Riding) {
 }
 
 fn legs_row(ui: &mut Ui, ride: &mut Riding) {
-    let shown = ride.ride.to_string();
+    let shown = ride.ride.rounded().to_string();
     let typed = checked(ui, "Legs", about("ride"), &shown, str::parse::<RideLegs>);
     if let Some(legs) = typed {
         ride.ride = legs;

@@ -117,6 +117,11 @@ impl Trace<'_> {
         !matches!(self.hue, Hue::Point(of) if of != number)
     }
 
+    /// The width of the line, points: that of the selected point is the widest.
+    pub const fn width(&self) -> f32 {
+        if self.wide { 2.0 } else { 1.5 }
+    }
+
     /// Returns the colour of the curve on such a background.
     pub fn colour(&self, visuals: &Visuals) -> Color32 {
         let colour = self.hue.colour(visuals);

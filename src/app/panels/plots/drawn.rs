@@ -21,7 +21,7 @@ const DOT: f32 = 12.0;
 impl<'a> Trace<'a> {
     /// Draws the trace, T being `now`.
     pub fn draw(&self, plot: &mut PlotUi<'a>, visuals: &Visuals, now: f64) {
-        let (width, colour) = (if self.wide { 2.0 } else { 1.2 }, self.colour(visuals));
+        let (width, colour) = (self.width(), self.colour(visuals));
         for piece in self.pieces {
             // Bands would draw steep parts of a densely sampled curve thinner than the rest.
             let line = Line::new(self.name.clone(), piece.as_slice()).allow_band(false).allow_hover(false);

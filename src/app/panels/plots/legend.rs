@@ -92,7 +92,7 @@ fn names(chart: &TimePlot<'_>, detail: Detail, visuals: &Visuals) -> Vec<LegendE
         colour: trace.colour(visuals),
     };
     let published = chart.traces.iter().filter(|_| several).find(is_published).map(|trace| LegendEntry {
-        line: Some((trace.dash, 1.2)),
+        line: Some(line(trace)),
         text: "published".to_owned(),
         colour: visuals.text_color(),
     });
@@ -101,7 +101,7 @@ fn names(chart: &TimePlot<'_>, detail: Detail, visuals: &Visuals) -> Vec<LegendE
 
 /// Returns the dashes and the width of a line.
 const fn line(trace: &Trace<'_>) -> (Dash, f32) {
-    (trace.dash, if trace.wide { 2.0 } else { 1.2 })
+    (trace.dash, trace.width())
 }
 
 /// A name, in short without what is in brackets.

@@ -19,7 +19,7 @@ mod title;
 mod traces;
 
 use clap::ValueEnum as _;
-use eframe::egui::{self, ComboBox, Ui, vec2};
+use eframe::egui::{self, Align, ComboBox, Rect, Ui, vec2};
 use egui_plot::{LineStyle, PlotBounds, PlotResponse, PlotUi, VLine};
 
 use self::axes::{annotate, label_places, plot_over_time};
@@ -32,13 +32,16 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::plots::curves::QuantityCurves;
 use crate::app::state::plots::look::quantities;
-use crate::app::widgets::explained_lazily;
+use crate::app::tools::awake;
 use crate::app::widgets::theme;
+use crate::app::widgets::{explained_lazily, strip_button};
 use crate::quantity::Quantity;
-use crate::settings::{Coordinates, PlotTab, about, meaning};
+use crate::settings::{Coordinates, PlotSettings, PlotTab, about, meaning};
 
 /// Height of a plot's title and of the numbers along T, points.
 const ABOVE_AND_BELOW: f32 = 60.0;
+/// Room that the button which fits a speed takes beside a title, points.
+const FIT_WIDTH: f32 = 100.0;
 
 /// Shows the plots with their tabs.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut Commands) {
@@ -49,7 +52,14 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut Com
         ui.horizontal(|ui| sketch::switch(ui, state, commands));
     }
     if state.document.settings.window.simple && !quantities(&state.document.settings.plots).is_empty() {
-        return over_time(ui, state, plotted.curves, commands);
+        let strip = ui.max_rect().with_max_y(ui.max_rect().min.y + theme::TITLE_HEIGHT);
+        let offers_fit = state.session.lesson.is_none();
+        let taken = if offers_fit { theme::text_scale(ui.style()) * FIT_WIDTH } else { 0.0 };
+        over_time(ui, state, plotted.curves, taken, commands);
+        if offers_fit {
+            offer_fit(ui, state, strip, commands);
+        }
+        return;
     }
     let examination = plotted.examination.filter(|_| state.document.settings.plots.plot == PlotTab::Accuracy);
     ui.horizontal_wrapped(|ui| {
@@ -63,7 +73,7 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut Com
     match state.document.settings.plots.plot {
         PlotTab::Fit => fit::show(ui, state, plotted.fitting, commands),
         PlotTab::Accuracy => accuracy::show(ui, state, plotted.examination, commands),
-        _ => over_time(ui, state, plotted.curves, commands),
+        _ => over_time(ui, state, plotted.curves, 0.0, commands),
     }
 }
 
@@ -75,12 +85,22 @@ pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut
     }
     match state.document.settings.plots.plot {
         PlotTab::Fit => fit::show_presented(ui, state, plotted.fitting, commands),
-        _ => over_time(ui, state, plotted.curves, commands),
+        _ => over_time(ui, state, plotted.curves, 0.0, commands),
     }
 }
 
-/// Plots over T side by side, each below what it is called and what it is now.
-fn over_time(ui: &mut Ui, state: &State, curves: &[QuantityCurves], commands: &mut Commands) {
+/// Shows at the right of the title strip `strip` the button that fits a speed to the plotted curve.
+fn offer_fit(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
+    let tip = "Takes noisy readings of this curve, and finds speed and distance from them.";
+    if strip_button(ui, strip, Align::Max, "Fit a speed").on_hover_text(tip).clicked() {
+        let plots = PlotSettings { plot: PlotTab::Fit, ..state.document.settings.plots };
+        commands.push(SettingsCommand::Plots(plots).into());
+    }
+}
+
+/// Plots over T side by side, each below what it is called and what it is now. At the right end of the titles
+/// this width is `taken`.
+fn over_time(ui: &mut Ui, state: &State, curves: &[QuantityCurves], taken: f32, commands: &mut Commands) {
     let high = ui.available_height() - ABOVE_AND_BELOW;
     let charts: Vec<TimePlot<'_>> =
         state.plotted_quantities().iter().map(|&quantity| chart(state, curves, quantity, high)).collect();
@@ -92,8 +112,9 @@ fn over_time(ui: &mut Ui, state: &State, curves: &[QuantityCurves], commands: &m
     ui.spacing_mut().item_spacing.y = 2.0;
     ui.horizontal_top(|ui| {
         for chart in &charts {
-            ui.allocate_ui(vec2(width(chart), 0.0), |ui| {
-                ui.set_width(width(chart));
+            let width = (width(chart) - taken).max(20.0);
+            ui.allocate_ui(vec2(width, 0.0), |ui| {
+                ui.set_width(width);
                 title::show(ui, state, chart);
             });
         }
@@ -152,9 +173,12 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &TimePlot<'_>, comm
     let ([from, to], [low, high]) = (chart.range, chart.value_range());
     let plot = plot_over_time(ui, ("plot", quantity.row().id), chart.time_unit, size);
     let visuals = ui.visuals().clone();
+    // T0 is marked for who points at the plot.
+    let is_pointed = ui.rect_contains_pointer(Rect::from_min_size(ui.cursor().min, size));
+    let equidistant = chart.equidistant.filter(|_| is_pointed);
     let response = chart.ruler().beside(plot).show(ui, |plot| {
         plot.set_plot_bounds(PlotBounds::from_min_max([from, low], [to, high]));
-        lines(plot, chart, &visuals);
+        lines(plot, chart, equidistant, &visuals);
         for trace in &chart.traces {
             trace.draw(plot, &visuals, chart.now);
         }
@@ -163,18 +187,26 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &TimePlot<'_>, comm
     for trace in &chart.traces {
         trace.keep_clear(&mut labels, &response, chart.now);
     }
-    annotate(ui, &response, (chart.clock, chart.time_unit), chart.equidistant, &mut labels);
+    annotate(ui, &response, (chart.clock, chart.time_unit), equidistant, &mut labels);
     axes::name_cursors(ui, &response, &chart.cursors, &mut labels);
     legend::show(ui, &response, chart, &mut labels);
     describe(&response, state, quantity);
-    pointed::show(ui, &response, chart);
+    // Before an audience a pointer that rests may belong to what was shown before.
+    if !state.session.stage.is_presented() || awake::is_moved(ui.ctx()) {
+        pointed::show(ui, &response, chart);
+    }
     gestures::read(ui, state, &response, chart, commands);
 }
 
-/// The times that are marked.
-fn lines(plot: &mut PlotUi<'_>, chart: &TimePlot<'_>, visuals: &egui::Visuals) {
+/// Draws the times that are marked: T, the cursors, and T0 where it is `equidistant`.
+fn lines(
+    plot: &mut PlotUi<'_>,
+    chart: &TimePlot<'_>,
+    equidistant: Option<(f64, &str)>,
+    visuals: &egui::Visuals,
+) {
     let line = |name: &str, time: f64| VLine::new(name, time).width(1.0).allow_hover(false);
-    if let Some((time, _)) = chart.equidistant {
+    if let Some((time, _)) = equidistant {
         let colour = theme::equidistance_colour(visuals);
         plot.vline(line("T₀", time).color(colour).style(LineStyle::dashed_dense()));
     }

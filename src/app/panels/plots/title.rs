@@ -115,7 +115,7 @@ fn entry(ui: &mut Ui, trace: &Trace<'_>, text: &str, name: &str, tip: &str) {
     let galley = ui.painter().layout_no_wrap(text.to_owned(), font, colour);
     let (rect, response) = ui.allocate_exact_size(galley.size() + vec2(SAMPLE + SPACE, 0.0), Sense::hover());
     ui.painter().galley(pos2(rect.max.x - galley.size().x, rect.min.y), galley, colour);
-    let stroke = Stroke::new(if trace.wide { 2.0 } else { 1.2 }, colour);
+    let stroke = Stroke::new(trace.width(), colour);
     sample(ui.painter(), rect.left_center(), SAMPLE, trace.dash, stroke);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
     response.on_hover_text(tip);

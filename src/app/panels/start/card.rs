@@ -21,6 +21,8 @@ use crate::lesson::Lesson;
 /// Space between cards, and around what is written in one; points.
 const BETWEEN: f32 = 14.0;
 const AROUND: f32 = 11.0;
+/// Number of presets, at least, that a row has room for where it can.
+const FEWEST: usize = 5;
 
 /// The cards of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,6 +69,8 @@ impl Cards {
     fn columns(self, width: f32, scale: f32, count: usize) -> usize {
         let most = (width + scale * BETWEEN) / (scale * (self.narrowest() + BETWEEN));
         let most = (most as usize).max(1);
+        // Those of a small group are no larger than the others.
+        let count = if self == Self::Presets { count.max(FEWEST) } else { count };
         count.div_ceil(count.div_ceil(most).max(1)).max(1)
     }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{self, Align2, Color32, Galley, Painter, Rect, Sense, TextStyle, Ui, vec2};
+use eframe::egui::{self, Align2, Color32, Galley, Id, Painter, Rect, Sense, TextStyle, Ui, vec2};
 
 use super::markers::marked;
 use super::notes::unseen;
@@ -11,7 +11,7 @@ use crate::app::tools::awake;
 use crate::app::views::instruments;
 use crate::app::views::laid_ruler;
 use crate::app::views::offscreen_arrows;
-use crate::app::views::panes::EyePane;
+use crate::app::views::panes::{EyePane, PaneTitle};
 use crate::app::views::predicted_place;
 use crate::app::views::slide;
 
@@ -19,22 +19,27 @@ use crate::app::views::slide;
 /// the instruments there, which leave marked points in sight.
 pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
-    let ruler = slide::paint(ui, &inside, state, pane);
-    let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
-    let marked = marked(state, pane);
+    slide::paint_resting(ui, &inside, state, pane);
+    let is_before_audience = pane.title != PaneTitle::Above;
+    let marks_points = !is_before_audience || state.has_markers_for_audience();
+    let marked = if marks_points { marked(state, pane) } else { Vec::new() };
     let instruments = instruments::show(ui, &inside, state, pane, &marked);
     let places = instruments.places.clone();
-    let unseen = unseen(ui, state, pane).unwrap_or_default();
+    // Before an audience what is to be said stands below the picture.
+    let note = if is_before_audience { String::new() } else { note };
+    let why_dark = unseen(ui, state, pane).filter(|_| !is_before_audience).unwrap_or_default();
+    let mut faded = inside.clone();
+    faded.set_opacity(notes_opacity(ui, pane, &[&note, &why_dark]));
     let notes = if places.is_empty() {
-        [(Align2::LEFT_BOTTOM, note), (Align2::LEFT_TOP, unseen)]
-            .map(|(corner, text)| write(ui, &inside, pane, corner, text))
+        [(Align2::LEFT_BOTTOM, note), (Align2::LEFT_TOP, why_dark)]
+            .map(|(corner, text)| write(ui, &faded, pane, corner, text))
             .to_vec()
     } else {
         // The handlebar and what is marked stay free.
-        let lines: Vec<_> = [unseen, note].into_iter().filter(|text| !text.is_empty()).collect();
+        let lines: Vec<_> = [why_dark, note].into_iter().filter(|text| !text.is_empty()).collect();
         let (text, taken) = (lines.join("\n"), [places.as_slice(), &marked].concat());
         let corner = free_corner(ui, &inside, pane, &text, &taken, UPPER_CORNERS);
-        vec![write(ui, &inside, pane, corner, text)]
+        vec![write(ui, &faded, pane, corner, text)]
     };
     let covered = [places.as_slice(), &notes].concat();
     let way = instruments.write_beside(&inside, pane.rect, &[covered.as_slice(), &marked].concat());
@@ -45,13 +50,37 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))
         .or_else(|| newcomers_hint(ui, state));
-    if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
+    if let Some(hint) = hint.filter(|_| pane.takes_the_mouse() && !is_before_audience) {
         let corner = free_corner(ui, &inside, pane, &hint, &covered, LOWER_CORNERS);
         let place = write(ui, &inside, pane, corner, hint.clone());
         let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &hint));
     }
 }
+
+/// Seconds for which notes on a picture stand there without the pointer, and in which they come and go.
+const NOTES_TIME: f64 = 4.0;
+const NOTES_FADE: f32 = 0.2;
+
+/// Returns the opacity of the `notes` on the picture in `pane`: they fade a while after they are new, and come
+/// back while the pointer moves over the picture, or the keyboard is at it.
+fn notes_opacity(ui: &Ui, pane: EyePane, notes: &[&String]) -> f32 {
+    let (ctx, name) = (ui.ctx(), NOTES[pane.index()]);
+    let left = NOTES_TIME - awake::shown_for(ctx, name, notes);
+    if left > 0.0 {
+        ctx.request_repaint_after_secs(left as f32 + 0.01);
+    }
+    let is_pointed = ui.rect_contains_pointer(pane.rect) && awake::is_moved(ctx);
+    let focused = ctx.memory(egui::Memory::focused).and_then(|id| ctx.read_response(id));
+    let is_focused = focused.is_some_and(|response| {
+        response.rect.width() == pane.rect.width() && response.rect.contains(pane.rect.center())
+    });
+    // Where the style has no animations they come and go at once.
+    let fade = if ui.style().animation_time > 0.0 { NOTES_FADE } else { 0.0 };
+    ctx.animate_bool_with_time(Id::unique(name), left > 0.0 || is_pointed || is_focused, fade)
+}
+
+const NOTES: [&str; 2] = ["notes on the first picture", "notes on the second picture"];
 
 /// The hint for newcomers in the views, and its duration in seconds.
 const HINT: &str = "Click a point to follow it.";

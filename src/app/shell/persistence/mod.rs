@@ -25,7 +25,7 @@ use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
 use crate::app::tools::debounce::Debounce;
 use crate::lesson::Answers;
-use crate::settings::{Settings, WindowSettings};
+use crate::settings::{Preset, Settings};
 use answers_file::AnswersFiles;
 use kept_file::KeptFile;
 
@@ -326,8 +326,8 @@ fn reset(file: &mut KeptFile, text: &str, problems: &[String]) -> String {
     format!("These saved settings were invalid and have been reset: {listed}{more}. {where_it_is}")
 }
 
-/// The settings of a user's first window.
+/// The settings of a user's first window: the first preset among few controls.
 fn of_the_first_window() -> Settings {
-    let default = Settings::default();
-    Settings { window: WindowSettings { simple: true, ..default.window }, ..default }
+    let settings = Preset::all()[0].settings.clone();
+    Settings { window: settings.window.with_few(true), ..settings }
 }

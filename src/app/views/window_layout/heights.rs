@@ -17,11 +17,30 @@ pub(in crate::app) const LOWEST: f32 = 90.0;
 const LOWEST_BESIDE_WORDS: f32 = 210.0;
 /// Height of a view that is high enough, in widths.
 const VIEW_ASPECT: f32 = 0.75;
-/// Share of the height that the plots take from the views.
+/// Share of the window's height that the pictures have, unless they are narrower.
+const PICTURES_SHARE: f32 = 0.5;
+/// Height that pictures have among few controls where there is room, in widths.
+const FEW_ASPECT: f32 = 0.9;
+/// Lowest strips of plots below such pictures: of one plot alone, with tabs above it, and with two rows of
+/// these where they are narrower than this.
+const LOWEST_STRIPS: [f32; 3] = [140.0, 150.0, 190.0];
+const NARROWEST_TABS: f32 = 700.0;
+/// Share of the height that the plots take from the views where these give way.
 const PLOTS_SHARE: f32 = 0.38;
-/// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay
-/// in their place, but none more than half, unless the views leave more.
+/// Height that the fit with its table and residuals needs, or the map beside plots; no more than half, unless
+/// the views leave more.
 const PLOTS_HEIGHT: f32 = 310.0;
+
+/// What decides on the height of the strip of plots, besides the room.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::app) struct StripNeeds {
+    /// Height of the window.
+    pub window: f32,
+    /// Whether the window is as narrow as a phone's.
+    pub is_narrow: bool,
+    /// Whether the strip has something that the pictures give way to: a table, or a map that is asked for.
+    pub is_high: bool,
+}
 
 /// Heights of the views, the words below them, and the strip of plots.
 pub(in crate::app) struct Heights {
@@ -38,7 +57,8 @@ pub(in crate::app) struct Heights {
 impl Heights {
     /// Divides the height of a middle of this `size`. In a window as narrow as a phone's the words and the
     /// plots leave the views all the height that they need.
-    pub fn new(is_narrow: bool, size: Vec2, window: WindowSettings, arranged: &Arrangement) -> Self {
+    pub fn new(needs: StripNeeds, size: Vec2, window: WindowSettings, arranged: &Arrangement) -> Self {
+        let is_narrow = needs.is_narrow;
         let needed = |height: f32| height_of_views(arranged, vec2(size.x, height));
         let lowest = if is_narrow { needed(size.y).max(LOWEST) } else { LOWEST };
         let beside_words = if window.plots && !is_narrow { 2.0 * LOWEST_BESIDE_WORDS } else { lowest };
@@ -46,15 +66,37 @@ impl Heights {
         let free = size.y - words.iter().sum::<f32>();
         let half = 0.5 * free;
         let most = if is_narrow { half } else { (free - needed(free)).max(half) };
-        Self { words, free, lowest, strip: (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(most)) }
+        let high = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(most));
+        let strip = if is_narrow || needs.is_high {
+            high
+        } else {
+            let pictures = pictures_height(arranged, vec2(size.x, free), needs.window, window.simple);
+            let lowest = match window.simple {
+                true => LOWEST_STRIPS[0],
+                false if size.x >= NARROWEST_TABS => LOWEST_STRIPS[1],
+                false => LOWEST_STRIPS[2],
+            };
+            (free - pictures).max(lowest).min(high)
+        };
+        Self { words, free, lowest, strip }
     }
+}
+
+/// Returns the height that views `arranged` in an area of this `size` have before the plots have any, in a
+/// window of this height: half of it for the pictures, and among few controls as much as suits their width.
+fn pictures_height(arranged: &Arrangement, size: Vec2, window: f32, is_simple: bool) -> f32 {
+    let panes = arranged.panes(Rect::from_min_size(Pos2::ZERO, size));
+    let Some(first) = panes.first() else { return 0.0 };
+    let (width, around) = (first.rect.width(), size.y - first.rect.height());
+    let half = (PICTURES_SHARE * window).min(width);
+    (if is_simple { half.max(FEW_ASPECT * width) } else { half }) + around + GAP
 }
 
 /// Returns the height that views `arranged` in an area of this `size` need: higher ones would show more of
 /// the sky only.
 pub(in crate::app) fn height_of_views(arranged: &Arrangement, size: Vec2) -> f32 {
     let panes = arranged.panes(Rect::from_min_size(Pos2::ZERO, size));
-    let bottoms = panes.iter().map(|pane| pane.rect.min.y + VIEW_ASPECT * pane.rect.width());
+    let bottoms = panes.iter().map(|pane| pane.rect.min.y + VIEW_ASPECT * pane.rect.width() + pane.band);
     bottoms.fold(0.0, f32::max) + GAP
 }
 

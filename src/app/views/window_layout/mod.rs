@@ -5,12 +5,14 @@ pub mod border;
 mod heights;
 mod presentation;
 mod rects;
+mod side;
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-use self::heights::{Heights, LOWEST, height_of_views};
-pub use self::presentation::{Beside, Presentation};
+use self::heights::{Heights, LOWEST, StripNeeds, height_of_views};
+pub use self::presentation::Presentation;
 use self::rects::{large_enough, split_left, split_right, split_top};
+use self::side::SideParts;
 use crate::app::state::stage::WindowPart;
 use crate::app::views::panes::{Arrangement, Pane, PaneContent};
 use crate::app::views::window_layout::border::{Border, BorderParts};
@@ -70,17 +72,12 @@ const LESSON_SHARE: f32 = 0.5;
 const LEAST_ABOVE_LESSON: f32 = 0.38;
 /// Narrower windows than this have no room for the panel of a lesson and the controls.
 const NARROWEST_WITH_LESSON_AND_CONTROLS: f32 = 1180.0;
-const TIMELINE_HEIGHT: f32 = 76.0;
+/// Heights of the timeline: in one row, and with its scrubber below the rest.
+const TIMELINE_HEIGHTS: [f32; 2] = [48.0, 76.0];
+/// A narrower timeline has no room for all in one row.
+const NARROWEST_ROW: f32 = 440.0;
 /// Height of the speed with its slider and marks.
 const SPEED_HEIGHT: f32 = 80.0;
-/// Height of the readout down to the times and places, and with all of its rows.
-const READOUT_HEIGHTS: [f32; 2] = [274.0, 345.0];
-/// Greatest share of the side that the readout takes.
-const READOUT_SHARE: f32 = 0.42;
-/// Height of the controls of motion and view, which the readout leaves to them before it grows.
-const CONTROLS_HEIGHT: f32 = 472.0;
-/// Height of its title and what two eyes make of the point alone.
-const FOLDED_READOUT_HEIGHT: f32 = 86.0;
 /// Width of the controls, of which all is in sight, and the least that a share of theirs leaves to the rest.
 const SIDE_WIDTH: f32 = 334.0;
 const CENTRE_WIDTH: f32 = 280.0;
@@ -125,23 +122,30 @@ impl WindowLayout {
     ) -> Self {
         let (bar, below) = below_bar(whole);
         let with_side = window.controls && whole.width() >= lesson.narrowest_with_controls();
-        let speed_height = if is_narrow(whole) && window.controls { SPEED_HEIGHT } else { 0.0 };
+        let is_narrow = is_narrow(whole);
+        let speed_height = if is_narrow && window.controls { SPEED_HEIGHT } else { 0.0 };
         // What a lesson switches on it asks about.
         let is_asked_for = lesson == LessonPart::Panel && (window.plots || window.map == Presence::On);
-        let (lesson, below) = lesson.split_off(below, arranged, speed_height + TIMELINE_HEIGHT);
+        let (lesson, below) = lesson.split_off(below, arranged, speed_height + TIMELINE_HEIGHTS[1]);
         let area = whole.with_min_x(below.min.x);
         let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
         let (centre, side) = if with_side { split_right(below, side_width) } else { (below, None) };
-        let (controls, readout) = side.map_or((None, None), |side| side_parts(side, window.readout));
-        let height = centre.height() - speed_height - TIMELINE_HEIGHT;
+        let SideParts { controls, map: map_aside, readout } =
+            side.map_or_else(SideParts::default, |side| SideParts::new(side, window));
+        let shown =
+            WindowSettings { map: if map_aside.is_some() { Presence::Off } else { window.map }, ..window };
+        let timeline_height = TIMELINE_HEIGHTS[usize::from(!has_timeline_in_a_row(window, centre.width()))];
+        let height = centre.height() - speed_height - timeline_height;
+        let is_high = is_asked_for || has_table(tab) || shown.map == Presence::On;
+        let needs = StripNeeds { window: whole.height(), is_narrow, is_high };
         let Heights { words, free, lowest, strip } =
-            Heights::new(is_narrow(whole), vec2(centre.width(), height.max(0.0)), window, arranged);
+            Heights::new(needs, vec2(centre.width(), height.max(0.0)), window, arranged);
         let lowest = if is_asked_for { lowest.min(LOWEST) } else { lowest };
         let strip_height = part(window.strip_share, free, strip, [LOWEST; 2]);
         // What stands in a strip does not change while its border is dragged, unless it becomes too low for
         // any of it.
         let room = if strip_height >= 1.5 * LOWEST { strip_height.max(strip) } else { strip_height };
-        let below = Below::new(vec2(centre.width(), room), window, tab);
+        let below = Below::new(vec2(centre.width(), room), shown, tab);
         let map_above = !window.views && window.map != Presence::Off;
         let upper_height = match (window.views || map_above, below) {
             (true, Below::Nothing) => free,
@@ -153,18 +157,10 @@ impl WindowLayout {
         let (spectrum, rest) = split_top(rest, words[0]);
         let (sentence, rest) = split_top(rest, words[1]);
         let (speed, rest) = split_top(rest, speed_height);
-        let (timeline, lower) = split_top(rest, TIMELINE_HEIGHT);
+        let (timeline, lower) = split_top(rest, timeline_height);
         let [map, plots] = below.parts(lower, window.map_share);
-        let borders = [
-            side.map(|side| {
-                upright(BorderParts::Side, side.left_top(), side.height(), [area.max.x, area.min.x])
-            }),
-            (upper.height() > 0.0 && lower.height() > 0.0)
-                .then(|| level(BorderParts::Strip, lower, [lower.max.y, lower.max.y - free])),
-            map.zip(plots).map(|(_, plots)| {
-                upright(BorderParts::Map, plots.left_top(), plots.height(), [lower.min.x, lower.max.x])
-            }),
-        ];
+        let strip = (upper.height() > 0.0 && lower.height() > 0.0).then_some((lower, free));
+        let borders = borders(area, side, strip, map.and(plots));
         let shown = |rect: Rect| (rect.height() > 0.0).then(|| rect.shrink2(vec2(GAP / 2.0, 0.0)));
         let views = large_enough(upper).filter(|_| window.views);
         Self {
@@ -177,9 +173,9 @@ impl WindowLayout {
             sentence: shown(sentence),
             speed: large_enough(speed).map(|_| speed),
             timeline,
-            map: if map_above { Some(upper) } else { map }.and_then(large_enough),
+            map: if map_above { Some(upper) } else { map.or(map_aside) }.and_then(large_enough),
             plots: plots.and_then(large_enough),
-            borders: borders.into_iter().flatten().collect(),
+            borders,
         }
     }
 
@@ -202,13 +198,15 @@ impl WindowLayout {
             Some(lesson) => below.with_min_x(lesson.max.x),
             None => below,
         };
-        let (rest, timeline) = split_top(below, below.height() - TIMELINE_HEIGHT);
+        let (rest, timeline) = split_top(below, below.height() - self.timeline.height());
         let speed_height = self.speed.map_or(0.0, |speed| speed.height());
         let (middle, speed) = split_top(rest, rest.height() - speed_height);
         let speed = self.speed.map(|_| speed);
         let pane = |number: usize, rect: Rect| {
             let rect = rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y));
-            self.panes.get(number).map(|pane| Pane { rect, ..*pane })
+            self.panes
+                .get(number)
+                .map(|pane| Pane { rect: rect.with_max_y((rect.max.y - pane.band).max(rect.min.y)), ..*pane })
         };
         let alone = |rect: Rect| {
             let (panes, map, plots) = match part? {
@@ -289,6 +287,20 @@ fn part(share: Share, whole: f32, default: f32, [least, rest]: [f32; 2]) -> f32 
     (share as f32 * whole).clamp(least, (whole - rest).max(least))
 }
 
+/// The borders in `area`: of the `side`, of the strip below the views with the height that both share, and of
+/// the `plots` that have the map beside them.
+fn borders(area: Rect, side: Option<Rect>, strip: Option<(Rect, f32)>, plots: Option<Rect>) -> Vec<Border> {
+    let lower = strip.map_or(area, |(lower, _)| lower);
+    let borders = [
+        side.map(|side| upright(BorderParts::Side, side.left_top(), side.height(), [area.max.x, area.min.x])),
+        strip.map(|(lower, free)| level(BorderParts::Strip, lower, [lower.max.y, lower.max.y - free])),
+        plots.map(|plots| {
+            upright(BorderParts::Map, plots.left_top(), plots.height(), [lower.min.x, lower.max.x])
+        }),
+    ];
+    borders.into_iter().flatten().collect()
+}
+
 /// An upright border that begins at `top`; the share is 0 and 1 where x is at the `ends`.
 fn upright(split: BorderParts, top: Pos2, height: f32, ends: [f32; 2]) -> Border {
     let middle = top + vec2(0.0, 0.5 * height);
@@ -318,8 +330,7 @@ impl Below {
     /// have room too, or where it is asked for.
     fn new(size: Vec2, window: WindowSettings, tab: PlotTab) -> Self {
         let has_room = |least: Vec2| size.x >= least.x && size.y >= least.y;
-        let has_table = matches!(tab, PlotTab::Fit | PlotTab::Accuracy);
-        let suits = !has_table || (1.0 - MAP_SHARE) * size.x >= TABLE_AND_PLOTS_WIDTH;
+        let suits = !has_table(tab) || (1.0 - MAP_SHARE) * size.x >= TABLE_AND_PLOTS_WIDTH;
         let map = window.views && window.map != Presence::Off;
         let is_asked_for = window.map == Presence::On;
         match (map, window.plots) {
@@ -344,14 +355,15 @@ impl Below {
     }
 }
 
-/// Controls above, the readout below them as far as there is room for both.
-fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
-    let [least, most] = READOUT_HEIGHTS;
-    let whole = (side.height() - CONTROLS_HEIGHT).clamp(least, most);
-    let wanted = if readout { whole } else { FOLDED_READOUT_HEIGHT };
-    let readout_height = wanted.min(READOUT_SHARE * side.height());
-    let (controls, readout) = split_top(side, side.height() - readout_height);
-    (Some(controls), large_enough(readout))
+/// Whether the `tab` has a table beside its plots.
+const fn has_table(tab: PlotTab) -> bool {
+    matches!(tab, PlotTab::Fit | PlotTab::Accuracy)
+}
+
+/// Whether a timeline of this `width` has its scrubber in one row with the rest: among few controls.
+#[must_use]
+pub fn has_timeline_in_a_row(window: WindowSettings, width: f32) -> bool {
+    window.simple && width >= NARROWEST_ROW
 }
 
 /// The bar of a window with this inner `area`, and what is below it.

@@ -3,6 +3,7 @@
 use eframe::egui::pos2;
 
 use super::*;
+use crate::app::state::stage::SidePanel;
 use crate::settings::Settings;
 
 fn layout(width: f32, height: f32) -> WindowLayout {
@@ -15,14 +16,64 @@ fn the_smallest_supported_window_holds_every_part_but_the_wavelengths() {
     assert_eq!(layout.panes.len(), 2);
     assert!(layout.spectrum.is_none() && layout.sentence.is_some());
     for pane in &layout.panes {
-        assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 165.0, "{pane:?}");
+        assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 220.0, "{pane:?}");
     }
-    for (part, least) in [(layout.controls, 300.0), (layout.readout, 200.0), (layout.plots, 230.0)] {
+    for (part, least) in [(layout.controls, 300.0), (layout.readout, 200.0), (layout.plots, 140.0)] {
         let part = part.expect("shown");
         assert!(part.width() >= 320.0 && part.height() >= least, "{part:?}");
     }
     let taller = sized([1024.0, 700.0], WindowSettings::default());
     assert!(taller.spectrum.is_some() && taller.sentence.is_some());
+}
+
+/// Returns the share of the window's height that the pictures have, and the height of the plots.
+fn shares(size: [f32; 2], window: WindowSettings) -> (f32, f32) {
+    let layout = sized(size, window);
+    assert_apart(&parts(&layout), size);
+    let lowest = layout.panes.iter().map(|pane| pane.rect.height()).fold(f32::INFINITY, f32::min);
+    (lowest / size[1], layout.plots.expect("shown").height())
+}
+
+#[test]
+fn pictures_have_half_of_the_height_with_few_controls_and_with_all() {
+    for (size, plots) in [
+        ([1280.0, 800.0], 130.0),
+        ([1366.0, 768.0], 130.0),
+        ([1920.0, 1080.0], 200.0),
+        ([1024.0, 600.0], 130.0),
+    ] {
+        let (few, below) = shares(size, WindowSettings::default().with_few(true));
+        assert!(few >= 0.5 && below >= plots, "{size:?}: {few} {below}");
+        let (all, below) = shares(size, WindowSettings::default());
+        let least = if size[1] < 700.0 { 0.4 } else { 0.5 };
+        assert!(all >= least && below >= 140.0, "{size:?}: {all} {below}");
+    }
+}
+
+#[test]
+fn among_few_controls_the_map_stands_below_them_and_the_plots_have_the_strip() {
+    let few = WindowSettings::default().with_few(true);
+    for size in [[1024.0, 600.0], [1280.0, 800.0], [1920.0, 1080.0]] {
+        let layout = sized(size, few);
+        let [controls, map, readout] =
+            [layout.controls, layout.map, layout.readout].map(|part| part.expect("shown"));
+        assert!(controls.max.y <= map.min.y && map.max.y <= readout.min.y, "{size:?}");
+        assert!(map.width() > 300.0 && map.height() > 170.0, "{size:?} {map:?}");
+        assert!(layout.plots.expect("shown").max.x <= controls.min.x, "{size:?}");
+        let hidden = sized(size, WindowSettings { map: Presence::Off, ..few });
+        assert_eq!((hidden.map, hidden.plots), (None, layout.plots), "{size:?}");
+    }
+}
+
+#[test]
+fn pictures_give_way_to_a_fit_and_to_a_map_that_is_asked_for() {
+    let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0));
+    for window in [WindowSettings::default(), WindowSettings::default().with_few(true)] {
+        let fit = layout_of(area, window, PlotTab::Fit).plots.expect("shown");
+        assert!(fit.height() >= 290.0, "{fit:?}");
+    }
+    let map = WindowSettings { map: Presence::On, ..WindowSettings::default() };
+    assert!(sized([1280.0, 800.0], map).map.is_some_and(|map| map.height() >= 270.0));
 }
 
 fn layout_of(area: Rect, window: WindowSettings, tab: PlotTab) -> WindowLayout {
@@ -37,7 +88,7 @@ fn sized(size: [f32; 2], window: WindowSettings) -> WindowLayout {
 
 #[test]
 fn the_map_stands_beside_the_plots_where_there_is_room_and_leaves_the_views_as_large() {
-    for size in [[1280.0, 800.0], [1920.0, 1080.0], [3840.0, 2160.0]] {
+    for size in [[1920.0, 1080.0], [3840.0, 2160.0]] {
         let with_map = sized(size, WindowSettings::default());
         let without = sized(size, WindowSettings { map: Presence::Off, ..WindowSettings::default() });
         let (map, plots) = (with_map.map.expect("shown"), with_map.plots.expect("shown"));
@@ -240,39 +291,31 @@ fn one_part_alone_has_all_between_bar_and_timeline() {
 }
 
 #[test]
-fn an_audience_has_all_parts_apart_and_large() {
+fn an_audience_has_all_parts_apart_and_the_picture_large_in_one_place() {
     for size in SIZES {
-        let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, 1.6);
         let area = Rect::from_min_size(Pos2::ZERO, size.into());
-        for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
-            for need in [None, Some(0.0), Some(0.3 * size[1]), Some(f32::INFINITY)] {
-                let shown = Presentation::new(area, &arranged, beside, need);
-                let parts = shown.words.into_iter().chain(shown.plot);
-                let all: Vec<Rect> = parts.chain(shown.panes.iter().map(|pane| pane.rect)).collect();
-                assert_apart(&all, size);
-                if size[0] < 800.0 {
-                    continue;
+        let scale = 0.03 * size[1].min(0.75 * size[0]) / 11.5;
+        for has_both in [false, true] {
+            let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, scale).for_audience(has_both);
+            for is_lesson in [false, true] {
+                let mut heights = Vec::new();
+                for panel in [SidePanel::Nothing, SidePanel::Plot, SidePanel::Map, SidePanel::Fit] {
+                    let shown = Presentation::new(area, &arranged, is_lesson, panel);
+                    let with_band = |pane: &Pane| pane.rect.with_max_y(pane.rect.max.y + pane.band);
+                    let parts = shown.words.into_iter().chain(shown.panel);
+                    let all: Vec<Rect> = parts.chain(shown.panes.iter().map(with_band)).collect();
+                    assert_apart(&all, size);
+                    if size[0] < 800.0 {
+                        continue;
+                    }
+                    let words = shown.words.expect("words");
+                    let counts = (shown.panes.len(), shown.panel.is_some());
+                    assert_eq!(counts, (1 + usize::from(has_both), panel != SidePanel::Nothing));
+                    assert!(words.width() > 0.9 * size[0] && words.height() > 0.2 * size[1], "{words:?}");
+                    heights.extend(shown.panes.iter().map(|pane| pane.rect.y_range()));
                 }
-                let words = shown.words.expect("words");
-                assert_eq!((shown.panes.len(), shown.plot.is_some()), (2, beside != Beside::Nothing));
-                assert!(
-                    words.width() > 0.3 * size[0] && words.height() > 40.0,
-                    "{words:?} {beside:?} {need:?}"
-                );
+                assert!(heights.iter().all(|range| *range == heights[0] && range.span() >= 0.65 * size[1]));
             }
         }
-    }
-}
-
-#[test]
-fn pictures_grow_where_the_words_need_less() {
-    let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, 1.6);
-    let area = Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0));
-    for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
-        let heights = [0.0, 300.0, 1000.0, f32::INFINITY].map(|need| {
-            let shown = Presentation::new(area, &arranged, beside, Some(need));
-            shown.panes[0].rect.height()
-        });
-        assert!(heights.is_sorted_by(|a, b| a >= b) && heights[0] > heights[3], "{beside:?} {heights:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! The backdrop of the map: a grid, the street, the eyes' fields of view, and the line abreast of the eyes.
 
-use eframe::egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, Vec2, pos2, vec2};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, TextStyle, Vec2, pos2, vec2};
 use relativity_core::Event;
 
 use super::sheet::{SheetPainter, SpaceSheet};
@@ -13,7 +13,6 @@ use crate::map::{MapProjection, StraightLine, field_of_view, street_lines, way_o
 use crate::settings::MapFrame;
 
 /// Size of the words.
-const WORDS_SIZE: f32 = theme::SMALL_SIZE;
 /// From the corner to the title, beside the symbol of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
 /// Fraction of the length of a slanting street line at which its name is written.
@@ -39,7 +38,7 @@ fn axes_and_title(on: &mut SheetPainter<'_>) {
         MapProjection::Side => "from the side",
     };
     let place = sheet.room().min + theme::text_scale(ui.style()) * TITLE;
-    let (font, colour) = (theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
+    let (font, colour) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     labels.write_at(painter, (place, Align2::LEFT_TOP), title, font, colour);
 }
 
@@ -65,7 +64,7 @@ fn axes_of(state: &State, projection: MapProjection) -> [AxisQuantity<'static>; 
 /// The kerbs and the house fronts from above, the ground from the side, and their names.
 fn street(on: &mut SheetPainter<'_>) {
     let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
-    let (font, colour) = (theme::scaled_font(ui.style(), WORDS_SIZE), ui.visuals().weak_text_color());
+    let (font, colour) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let stroke = Stroke::new(1.5, ui.visuals().weak_text_color().gamma_multiply(0.7));
     let room = sheet.room();
     let mut level = Vec::new();
@@ -116,7 +115,7 @@ fn way(on: &mut SheetPainter<'_>) {
         painter.line(places, Stroke::new(1.0, colour));
     });
     if let Some(place) = named {
-        labels.write(painter, (place, 2.0), "my way", theme::scaled_font(ui.style(), WORDS_SIZE), colour);
+        labels.write(painter, (place, 2.0), "my way", TextStyle::Small.resolve(ui.style()), colour);
     }
 }
 
@@ -161,7 +160,7 @@ fn abreast(on: &mut SheetPainter<'_>) {
         } else {
             "abreast of the eyes"
         };
-        let font = theme::scaled_font(ui.style(), WORDS_SIZE);
+        let font = TextStyle::Small.resolve(ui.style());
         let place = pos2(x + 4.0, room.min.y + 3.0);
         labels.write_at(painter, (place, Align2::LEFT_TOP), text, font, colour);
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Color32, Galley, Rect, Ui, Vec2, pos2, vec2};
+use eframe::egui::{Color32, Galley, Rect, TextStyle, Ui, Vec2, pos2, vec2};
 
 use super::sheet::colour;
 use crate::app::state::State;
@@ -10,12 +10,11 @@ use crate::app::widgets::theme;
 use crate::map::BodyPicture;
 use crate::settings::MapFrame;
 
-/// Height of a row of the legend, the most rows that it has, and the size of its writing.
+/// Height of a row of the legend, and the most rows that it has.
 const HEIGHT: f32 = 18.0;
 const ROWS: usize = 2;
 /// Height that a map with two rows has at least, in rows.
 const LEAST_MAP: f32 = 4.0;
-const FONT_SIZE: f32 = 12.0;
 /// Side of a square of colour, and the space after it and after each entry.
 const SQUARE: f32 = 9.0;
 const AFTER: f32 = 4.0;
@@ -39,7 +38,7 @@ pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
         MapFrame::Ground | MapFrame::Rider => &WORDS,
         MapFrame::Bicycle => &ON_BOARD,
     };
-    let font = theme::scaled_font(ui.style(), FONT_SIZE);
+    let font = TextStyle::Small.resolve(ui.style());
     let [height, square_side] = [HEIGHT, SQUARE].map(|points| points * theme::text_scale(ui.style()));
     let laid_out = |which: usize| -> Vec<(Color32, Arc<Galley>)> {
         let entry = |(picture, words): &(BodyPicture, [&str; 2])| {

@@ -1,15 +1,19 @@
-//! The length of the selected rod in each picture of the close-up, written beside it.
+//! The length of the selected rod, or of what has the selected point, in each picture of the close-up, written beside it.
+
+use eframe::egui::TextStyle;
+use glam::DVec3;
 
 use super::sheet::{SheetPainter, colour};
 use crate::app::panels::map::canvas;
-use crate::app::widgets::theme;
 use crate::map::{BodyPicture, MapProjection};
+use crate::scene::{Scene, Track};
 use crate::settings::MapFraming;
 
-const FONT_SIZE: f32 = 13.0;
 /// From the middle of a rod to its label, points.
 const BESIDE: f32 = 12.0;
 const DECIMALS: u8 = 2;
+/// What is shorter than this share of its group is a part of it.
+const SMALL_PART: f64 = 0.5;
 
 /// The name of the length in each picture.
 const NAMES: [(BodyPicture, &str); 3] = [
@@ -18,7 +22,24 @@ const NAMES: [(BodyPicture, &str); 3] = [
     (BodyPicture::Measured, "measured now"),
 ];
 
-/// Writes the lengths in the plan of a close-up, if the selected body has two ends.
+/// Returns the ends of `body` if it has two, or those along the motion of what it is a small part of: of a
+/// hub nobody asks how long it is, but of the bicycle.
+fn ends(scene: &Scene, body: usize) -> Option<[Track; 2]> {
+    let group = scene.groups.iter().find(|group| group.bodies().contains(&body))?;
+    let samples = group.bodies().flat_map(|part| scene.bodies[part].shape.samples());
+    let along = samples.map(|rest| rest.to_array()).collect::<Vec<_>>();
+    let by_x = |a: &&[f64; 3], b: &&[f64; 3]| a[0].total_cmp(&b[0]);
+    let whole = [*along.iter().min_by(by_x)?, *along.iter().max_by(by_x)?];
+    let length = |[from, to]: [[f64; 3]; 2]| DVec3::from(from).distance(DVec3::from(to));
+    let own = scene.bodies[body].shape.ends().filter(|own| length(*own) >= SMALL_PART * length(whole));
+    let is_one = group.bodies().any(|part| scene.bodies[part].spin.is_some());
+    let [from, to] = own.or_else(|| is_one.then_some(whole))?;
+    // A wheel is as long as it is, however it has turned.
+    let track = |rest| Some(Track { spin: None, ..scene.track_at(rest, body)? });
+    Some([track(from)?, track(to)?])
+}
+
+/// Writes the lengths in the plan of a close-up, if what is selected has two ends.
 pub(super) fn show(on: &mut SheetPainter<'_>) {
     let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
     if state.document.settings.map.framing != MapFraming::CloseUp || sheet.projection != MapProjection::Plan {
@@ -26,10 +47,7 @@ pub(super) fn show(on: &mut SheetPainter<'_>) {
     }
     let point = state.document.points.selected();
     let scene = &state.document.scene;
-    let Some(body) = point.body_in(scene) else { return };
-    let Some(ends) = scene.bodies[body].shape.ends() else { return };
-    let ends = ends.map(|end| scene.track_at(end, body));
-    let [Some(from), Some(to)] = ends else { return };
+    let Some([from, to]) = point.body_in(scene).and_then(|body| ends(scene, body)) else { return };
     let pictures = NAMES.into_iter().filter_map(|(picture, name)| {
         let places = [from, to].map(|end| instant.place(&end, picture));
         let [Some(from), Some(to)] = places else { return None };
@@ -43,7 +61,7 @@ pub(super) fn show(on: &mut SheetPainter<'_>) {
     for (picture, name, [from, to]) in pictures {
         let middle = sheet.on_screen(from.midpoint(to));
         let text = format!("{name}: {}", length.text(from.distance(to), DECIMALS));
-        let font = theme::scaled_font(ui.style(), FONT_SIZE);
+        let font = TextStyle::Small.resolve(ui.style());
         labels.write(painter, (middle, BESIDE), &text, font, colour(picture, ui.visuals()));
         canvas::name_place(ui, sheet.room(), middle, &format!("{}: length, {text}", sheet.name()));
     }

@@ -82,7 +82,10 @@ impl<'a> ChartLight<'a> {
     /// Names it in the plan.
     pub(super) fn name(&self, on: &mut SheetPainter<'_>) {
         if self.sheet.projection == MapProjection::Plan {
-            self.name_way(on);
+            // Words before numbers.
+            if !on.state.document.settings.window.simple {
+                self.name_way(on);
+            }
             self.name_front(on);
         }
     }

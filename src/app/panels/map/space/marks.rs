@@ -1,6 +1,6 @@
 //! The eyes, and the followed points in each of their pictures.
 
-use eframe::egui::{Align2, Stroke, vec2};
+use eframe::egui::{Align2, Stroke, TextStyle, pos2, vec2};
 
 use super::sheet::{SheetPainter, colour};
 use crate::app::panels::map::canvas;
@@ -9,7 +9,6 @@ use crate::eye::Eye;
 use crate::map::{BodyPicture, MapProjection};
 use crate::settings::MapFrame;
 
-const FONT_SIZE: f32 = 12.5;
 /// Decimals of a distance in the scene's unit.
 const DECIMALS: u8 = 1;
 /// Distance from x = 0 that counts as abreast, points.
@@ -27,6 +26,7 @@ pub(super) fn show(on: &mut SheetPainter<'_>) {
     points(on);
     distances(on);
     abreast(on);
+    beyond(on);
 }
 
 fn points(on: &SheetPainter<'_>) {
@@ -52,6 +52,20 @@ fn points(on: &SheetPainter<'_>) {
     }
 }
 
+/// Says where the selected point is measured when that is off the sheet, ahead of where it is seen.
+fn beyond(on: &mut SheetPainter<'_>) {
+    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
+    let (room, point) = (sheet.room(), state.document.points.selected());
+    let Some(at) = instant.place(&point.track, BodyPicture::Measured).map(|at| sheet.on_screen(at)) else {
+        return;
+    };
+    if sheet.projection == MapProjection::Plan && at.x > room.max.x && room.y_range().contains(at.y) {
+        let place = (pos2(room.max.x - 4.0, at.y), Align2::RIGHT_CENTER);
+        let font = TextStyle::Small.resolve(ui.style());
+        labels.write_at(painter, place, "measured now →", font, theme::measured_colour(ui.visuals()));
+    }
+}
+
 /// Writes how far away the selected point is measured and seen, where that is asked for.
 fn distances(on: &mut SheetPainter<'_>) {
     let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
@@ -65,7 +79,7 @@ fn distances(on: &mut SheetPainter<'_>) {
         let Some(at) = instant.place(&point.track, picture) else { continue };
         let from = if picture == BodyPicture::Measured { left.midpoint(right) } else { left };
         let text = format!("{name}: {} away", state.measures().length.text(from.distance(at), DECIMALS));
-        let font = theme::scaled_font(ui.style(), FONT_SIZE);
+        let font = TextStyle::Small.resolve(ui.style());
         let place = sheet.on_screen(at);
         labels.write(painter, (place, 8.0), &text, font, colour(picture, ui.visuals()));
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
@@ -93,7 +107,7 @@ fn abreast(on: &mut SheetPainter<'_>) {
     for (at, text, colour) in words {
         let Some(at) = at.filter(|at| at.x.abs() * sheet.chart.scale <= ABREAST) else { continue };
         let place = sheet.on_screen(at);
-        labels.write(painter, (place, 8.0), text, theme::scaled_font(ui.style(), FONT_SIZE), colour);
+        labels.write(painter, (place, 8.0), text, TextStyle::Small.resolve(ui.style()), colour);
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
 }
@@ -106,7 +120,7 @@ fn eyes(on: &mut SheetPainter<'_>) {
         let colour = theme::eye_colour(eye, ui.visuals());
         painter.circle_filled(place, EYE_RADIUS, colour);
         if sheet.projection == MapProjection::Plan {
-            let font = theme::scaled_font(ui.style(), FONT_SIZE);
+            let font = TextStyle::Small.resolve(ui.style());
             labels.places.keep_free(painter.text(
                 place + vec2(side * 9.0, 0.0),
                 anchor,

@@ -27,10 +27,17 @@ const OUTLINE: f32 = 2.0;
 /// Parts of a line are drawn as one while their widths differ by no more than this, points.
 const SAME_WIDTH: f32 = 0.5;
 
+/// Where two eyes place a body that is this many times as large as one eye sees it, its outline is drawn
+/// alone: its lines would be a scribble.
+const SCRIBBLE: f64 = 1.5;
+
 /// Draws the pictures.
 pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &OutlineLines, sheet: &SpaceSheet) {
     let mut shapes = Vec::with_capacity(lines.all.len());
-    for line in lines.all.iter().filter(|line| line.is_in(sheet.projection)) {
+    let [seen, placed] = [BodyPicture::Seen(0), BodyPicture::Stereo].map(|of| places(lines, sheet, of));
+    let is_scribble = extent(&placed) > SCRIBBLE * extent(&seen);
+    let drawn = |line: &&OutlineLine| !(is_scribble && line.picture == BodyPicture::Stereo);
+    for line in lines.all.iter().filter(|line| line.is_in(sheet.projection)).filter(drawn) {
         let colour = line_colour(ui, line);
         let places: Vec<_> =
             lines.vertices(line).iter().map(|vertex| sheet.projection.flat(vertex.place)).collect();
@@ -42,7 +49,47 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &OutlineLines, sheet: &Sp
             add(part, fills, colour, sheet, &mut shapes);
         }
     }
+    if is_scribble {
+        let colour = colour(BodyPicture::Stereo, ui.visuals());
+        add((&hull(placed), OUTLINE), false, colour, sheet, &mut shapes);
+    }
     painter.extend(shapes);
+}
+
+/// Returns the vertices of a picture of what moves on the sheet.
+fn places(lines: &OutlineLines, sheet: &SpaceSheet, picture: BodyPicture) -> Vec<[f64; 2]> {
+    let of_it = |line: &&OutlineLine| line.picture == picture && !line.rests && line.is_in(sheet.projection);
+    let vertices = lines.all.iter().filter(of_it).flat_map(|line| lines.vertices(line));
+    vertices.map(|vertex| sheet.projection.flat(vertex.place)).collect()
+}
+
+/// Returns the longer side of the box around `places`.
+fn extent(places: &[[f64; 2]]) -> f64 {
+    let along = |axis: usize| {
+        let values = || places.iter().map(|place| place[axis]);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    along(0).max(along(1)).max(0.0)
+}
+
+/// Returns the convex outline of `places`, closed (Andrew's monotone chain).
+fn hull(mut places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    places.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let half = |places: &mut dyn Iterator<Item = [f64; 2]>| {
+        let mut chain: Vec<[f64; 2]> = Vec::new();
+        for place in places {
+            while let [.., a, b] = chain[..]
+                && (b[0] - a[0]) * (place[1] - a[1]) <= (b[1] - a[1]) * (place[0] - a[0])
+            {
+                chain.pop();
+            }
+            chain.push(place);
+        }
+        chain
+    };
+    let lower = half(&mut places.iter().copied());
+    let upper = half(&mut places.iter().rev().copied());
+    lower.into_iter().chain(upper.into_iter().skip(1)).collect()
 }
 
 /// Parts of a line that are everywhere as wide, and how wide, points.
@@ -96,4 +143,19 @@ fn line_colour(ui: &Ui, line: &OutlineLine) -> Color32 {
         BodyPicture::Seen(_) => (colour(line.picture, ui.visuals()), SEEN),
     };
     colour.gamma_multiply(strength)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_outline_goes_round_all_places_and_ends_where_it_began() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let inside = [[0.5, 0.5], [0.1, 0.9], [0.5, 0.0]];
+        let around = hull([&square[..], &inside[..]].concat());
+        assert_eq!(around, [square[0], square[1], square[2], square[3], square[0]]);
+        assert_eq!((hull(Vec::new()).len(), extent(&[])), (0, 0.0));
+        assert_eq!(extent(&inside), 0.9);
+    }
 }
