@@ -7,6 +7,7 @@
 
 mod light;
 mod numbers;
+mod sentences;
 #[cfg(test)]
 mod tests;
 pub mod times;
@@ -19,6 +20,7 @@ use relativity_render::{Colour, Emission, Geometry, View};
 pub use self::light::{RestLight, in_words};
 pub use self::numbers::decimal;
 use self::numbers::distinct_texts;
+pub use self::sentences::beginnings;
 use self::times::ObserverClock;
 pub use self::unseen::notice;
 use crate::scene::Track;

@@ -101,7 +101,8 @@ impl Layout {
         !matches!(self.form(), Form::One(_))
     }
 
-    /// Whether the layout shows two pictures apart that nobody is to fuse, each for itself.
+    /// Whether the layout shows two pictures apart that nobody is to fuse, each for itself: one of them may
+    /// stand alone.
     #[must_use]
     pub const fn shows_two_apart(self) -> bool {
         matches!(self, Self::SideBySide | Self::OverUnder)

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::Aperture;
-use relativity_core::math::{asinh, sinh};
+use relativity_core::math::{asinh, atan2, sinh, tan};
 use relativity_render::{Camera, Framing, Gaze, Geometry, Motion, Outline, PreparedScene, Projection, View};
 
 use super::all::Settings;
@@ -21,11 +21,17 @@ const ACROSS: f64 = 1e-3;
 
 /// The field of view of a whole passage at least, degrees: u from -2.5 to 2.5 in a conformal picture.
 const FOV_OF_PASSAGE: f64 = 161.23;
-/// The share of a strip's height that the outline of what moves has at most: the ruler takes some of the
-/// rest.
+/// The share of a strip's height that the outline of what moves has at most.
 const SHARE_OF_PASSAGE: f64 = 0.6;
+/// Width of the pictures that fields of view are set for, in heights.
+const USUAL_ASPECT: f64 = 16.0 / 9.0;
 /// A resting picture that is further aside, as a rapidity, is left out of what is framed.
 const FARTHEST_RESTING: f64 = 4.0;
+
+/// Returns how many times as wide as usual a picture of this `size` is, relative to its height; at least 1.
+fn wider([width, height]: [u32; 2]) -> f64 {
+    (f64::from(width) / f64::from(height.max(1)) / USUAL_ASPECT).max(1.0)
+}
 
 /// The subject of gazes.
 #[derive(Debug, Clone, Copy)]
@@ -61,6 +67,49 @@ impl Settings {
             }
             _ => look,
         }
+    }
+
+    /// Returns the same look as it is shown: where it `keeps_height`, a field of view that is set is that of a
+    /// picture of 16:9, and a wider one shows as much in height and more at its sides.
+    #[must_use]
+    pub fn shown_look(
+        &self,
+        subject: Subject,
+        observation_time: f64,
+        size: [u32; 2],
+        keeps_height: bool,
+    ) -> LookSettings {
+        let look = self.fixed_look(subject, observation_time, size);
+        match self.look.set_fov().filter(|_| keeps_height) {
+            Some(fov) => LookSettings { fov: FieldOfView(Some(self.widened_fov(fov, size))), ..look },
+            None => look,
+        }
+    }
+
+    /// Returns a field of view of a picture of 16:9 as that of a wider one of this `size`, degrees.
+    #[must_use]
+    pub fn widened_fov(&self, fov: f64, size: [u32; 2]) -> f64 {
+        self.scaled_fov(fov, wider(size))
+    }
+
+    /// Returns the field of view of a picture of this `size` as that of 16:9, if that is less wide, degrees.
+    #[must_use]
+    pub fn narrowed_fov(&self, fov: f64, size: [u32; 2]) -> f64 {
+        self.scaled_fov(fov, 1.0 / wider(size))
+    }
+
+    /// The field of view of a picture so many times as wide on the same scale, degrees.
+    fn scaled_fov(&self, fov: f64, times: f64) -> f64 {
+        if times == 1.0 {
+            return fov;
+        }
+        let half = tan(0.5 * fov.to_radians());
+        let half = match self.projection() {
+            ProjectionChoice::Mercator => sinh(times * asinh(half)),
+            _ => times * half,
+        };
+        let range = self.look.fov_range();
+        (2.0 * atan2(half, 1.0)).to_degrees().clamp(*range.start(), *range.end())
     }
 
     /// Returns the look of both eyes at `subject` in a picture that is not compared with another.
@@ -224,6 +273,14 @@ impl Settings {
             fused if fused.is_fused() && ahead.abs() > MOST_AHEAD => ProjectionChoice::Gaze,
             projection => projection,
         }
+    }
+
+    /// Whether the pictures have a ruler below them, of the rapidity by which motion slides what is seen:
+    /// conformal ones of a head along the motion.
+    #[must_use]
+    pub fn has_ruler(&self) -> bool {
+        let slides = self.baseline().is_along_motion() && self.projection() == ProjectionChoice::Mercator;
+        self.window.ruler && slides
     }
 
     /// Whether both eyes have a fixed gaze across the line between them, wherever that is.

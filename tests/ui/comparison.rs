@@ -184,12 +184,12 @@ fn a_comparison_is_chosen_by_key_saved_and_opened() {
         ("Left eye view: D⁴ surface", "Left eye view: D² paper"),
         ("Left eye view", "Right eye view"),
     ] {
-        window.key_press(Key::B);
+        window.key_press_modifiers(Modifiers::SHIFT, Key::B);
         window.run();
         window.get_by_label(name);
         window.get_by_label(other);
     }
-    window.key_press(Key::B);
+    window.key_press_modifiers(Modifiers::SHIFT, Key::B);
     window.run();
     let told = window.state().state().shown().to_toml();
     assert!(told.contains("compare = \"contracted\""), "{told}");

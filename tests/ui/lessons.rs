@@ -21,7 +21,8 @@ pub const TESTS: &[Test] = trials![
     a_prediction_in_a_lesson_can_be_skipped_and_the_way_back_is_open,
     an_observation_in_a_lesson_against_what_was_shown_offers_to_look_again,
     hands_are_counted_in_a_lesson_of_a_class,
-    digits_answer_a_lesson_that_has_choices_and_change_no_picture,
+    letters_and_digits_answer_a_lesson_that_has_choices_and_do_nothing_else,
+    a_question_for_a_number_has_the_keyboard_and_the_clicker_still_goes_on,
     hands_in_a_lesson_are_typed_as_numbers,
     a_narrow_window_folds_the_lesson_for_its_controls,
     what_was_explored_in_a_lesson_is_set_up_again_and_undone,
@@ -270,31 +271,61 @@ fn hands_are_counted_in_a_lesson_of_a_class() {
     assert_eq!((score.asked, score.others), (0, vec!["Step 1: 2 of 3 hands were right.".to_owned()]));
 }
 
-fn digits_answer_a_lesson_that_has_choices_and_change_no_picture() {
-    for is_presented in [false, true] {
+fn letters_and_digits_answer_a_lesson_that_has_choices_and_do_nothing_else() {
+    for (is_presented, keys) in [
+        (false, [Key::Num1, Key::Num2, Key::Num3]),
+        (false, [Key::A, Key::B, Key::Num3]),
+        (true, [Key::Num1, Key::Num2, Key::Num4]),
+        (true, [Key::A, Key::B, Key::Num4]),
+    ] {
+        let [first, second, beyond] = keys;
         let mut window = window(&lesson(), [1280.0, 800.0]);
         if is_presented {
             window.state_mut().run(WindowCommand::TogglePresenting);
             window.run_steps(4);
-            // Cards that are held up have letters.
-            assert!(["A", "B"].iter().all(|letter| labels(&window).iter().any(|label| label == letter)));
         }
-        let geometry = window.state().state().document.settings.geometry();
-        for (digit, draft) in [(Key::Num2, 1), (Key::Num1, 0), (Key::Num3, 0), (Key::Num4, 0)] {
-            key(&mut window, digit);
-            assert_eq!(course(&window).draft, Some(Answer::Choice(draft)), "{digit:?}");
-            assert_eq!(window.state().state().document.settings.geometry(), geometry, "{digit:?}");
+        // The screen says so.
+        let says = if is_presented { "A–B\u{a0}answer" } else { "Press A or B." };
+        assert!(["A", "B"].iter().all(|letter| labels(&window).iter().any(|label| label == letter)));
+        assert!(labels(&window).iter().any(|label| label.contains(says)), "{says}");
+        let shown = |window: &Harness<'_, App>| {
+            let state = window.state().state();
+            (state.document.settings.geometry(), state.document.settings.picture, state.session.stage)
+        };
+        let before = shown(&window);
+        for (pressed, draft) in [(second, 1), (first, 0), (beyond, 0)] {
+            key(&mut window, pressed);
+            assert_eq!(course(&window).draft, Some(Answer::Choice(draft)), "{pressed:?}");
+            assert_eq!(shown(&window), before, "{pressed:?}");
         }
         ask(&mut window, LessonCommand::Predict);
         ask(&mut window, LessonCommand::Forward);
-        key(&mut window, Key::Num2);
+        key(&mut window, second);
         assert_eq!(course(&window).records()[0].observed, Some(1));
-        assert_eq!(window.state().state().document.settings.geometry(), geometry);
+        assert_eq!(shown(&window), before);
         // Where nothing is asked they do what they always do.
         ask(&mut window, LessonCommand::Forward);
-        key(&mut window, Key::Num2);
-        assert_ne!(window.state().state().document.settings.geometry(), geometry);
+        key(&mut window, second);
+        assert_ne!(shown(&window), before);
     }
+}
+
+fn a_question_for_a_number_has_the_keyboard_and_the_clicker_still_goes_on() {
+    let mut window = window(&lesson(), [1280.0, 800.0]);
+    for _ in 0..20 {
+        let kind = course(&window).asked().map(|asked| asked.kind.clone());
+        if matches!(kind, Some(AnswerKind::Number(_))) {
+            break;
+        }
+        ask(&mut window, LessonCommand::Forward);
+    }
+    window.run_steps(3);
+    window.event(Event::Text("1.5".to_owned()));
+    window.run_steps(2);
+    assert_eq!(course(&window).draft, Some(Answer::Number(1.5)));
+    let place = course(&window).place();
+    key(&mut window, Key::PageDown);
+    assert_ne!(course(&window).place(), place);
 }
 
 fn hands_in_a_lesson_are_typed_as_numbers() {

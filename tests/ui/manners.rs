@@ -301,11 +301,11 @@ fn keys_look_around_in_a_focused_view() {
 
 fn keys_go_from_body_to_body() {
     let mut window = window(cyclist(0.9));
-    window.key_press(Key::N);
+    window.key_press(Key::J);
     window.run_ok();
     label_starting_with(&window, "Plot of Δφ of front rim against T");
     for _ in 0..2 {
-        window.key_press_modifiers(Modifiers::SHIFT, Key::N);
+        window.key_press_modifiers(Modifiers::SHIFT, Key::J);
         window.run_ok();
     }
     // Before the first comes the last.
@@ -316,7 +316,7 @@ fn keys_work_while_a_button_has_the_keyboard() {
     let mut window = window(cyclist(0.9));
     window.get_by_label("Help").focus();
     window.run_ok();
-    window.key_press(Key::N);
+    window.key_press(Key::J);
     window.run_ok();
     label_starting_with(&window, "Plot of Δφ of front rim against T");
     let time = window.state().state().document.time;

@@ -1,22 +1,30 @@
 //! The whole screen, an audience, borders that are dragged, parts alone in the window, and the meter of
 //! comfort.
 
-use eframe::egui::{Event, Key, Modifiers, Rect, Vec2, pos2, vec2};
+use eframe::egui::{Event, Key, Modifiers, Rect, pos2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{PlaybackCommand, SettingsCommand, WindowCommand};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use gamow::app::commands::{PlaybackCommand, SettingsCommand, Switch, WindowCommand};
 use gamow::app::shell::App;
+use gamow::app::state::lesson::LessonCommand;
 use gamow::flags::choices::Layout;
-use gamow::settings::{MotionSettings, Preset, ScreenSettings, WindowSettings};
+use gamow::lesson::Library;
+use gamow::settings::{MotionSettings, PlotSettings, Preset, ScreenSettings, WindowSettings};
 
 use super::Test;
 use super::layouts::assert_no_broken_numbers;
 use super::support::{
-    cyclist, drag, in_layout, label_starting_with, pane, wide_window, window, window_of_size,
+    cyclist, drag, in_layout, label_starting_with, labels, pane, sweep, wide_window, window, window_of_size,
+    window_without_pictures,
 };
 
 pub const TESTS: &[Test] = trials![
-    an_audience_has_views_a_plot_and_words_and_all_comes_back,
+    an_audience_has_one_large_picture_and_words_and_all_comes_back,
+    keys_show_an_audience_both_eyes_a_plot_and_the_map_beside_a_picture_as_high,
+    a_key_shows_one_eye_in_the_window_and_both_again,
+    layouts_for_two_eyes_keep_both_before_an_audience,
+    every_preset_has_two_thirds_of_the_height_before_an_audience_and_nothing_over_it,
+    every_step_of_every_lesson_keeps_its_large_picture_in_one_place_before_an_audience,
     a_clicker_steps_the_presets_in_front_of_an_audience,
     presenting_works_at_every_size_and_preset,
     borders_are_dragged_and_a_double_click_has_them_as_usual,
@@ -32,16 +40,24 @@ fn settings_window(harness: &Harness<'_, App>) -> WindowSettings {
     harness.state().state().document.settings.window
 }
 
-fn an_audience_has_views_a_plot_and_words_and_all_comes_back() {
+fn an_audience_has_one_large_picture_and_words_and_all_comes_back() {
     let mut window = window(cyclist(0.9));
     let before = settings_window(&window);
     window.key_press(Key::P);
     window.run();
-    for name in ["Left eye view", "Right eye view", "β = 0.900", "Plot of Δφ of front tyre against T"] {
+    for name in ["Left eye view", "β = 0.900"] {
         window.get_by_label(name);
     }
-    label_starting_with(&window, "The light reaching you now");
-    assert!(["Controls", "Speed β", "Play", "Help"].iter().all(|name| window.query_by_label(name).is_none()));
+    // The times are told only where somebody asks for them.
+    let tells_times = |window: &Harness<'_, App>| has_label(window, "The light reaching you now");
+    assert!(!tells_times(&window));
+    window.state_mut().run(SettingsCommand::Switch(Switch::Sentence));
+    window.run();
+    assert!(tells_times(&window));
+    let hidden =
+        ["Controls", "Speed β", "Play", "Help", "Right eye view", "Plot of Δφ of front tyre against T"];
+    assert!(hidden.iter().all(|name| window.query_by_label(name).is_none()));
+    assert!(!has_label(&window, "Click a point"));
     assert!(window.state().state().session.stage.full_screen);
     window.key_press(Key::Space);
     window.step();
@@ -52,6 +68,59 @@ fn an_audience_has_views_a_plot_and_words_and_all_comes_back() {
     assert!(!window.state().state().session.stage.full_screen);
     assert_eq!(settings_window(&window), before);
     window.get_by_label("Controls");
+    window.get_by_label("Right eye view");
+}
+
+fn has_label(window: &Harness<'_, App>, beginning: &str) -> bool {
+    labels(window).iter().any(|label| label.starts_with(beginning))
+}
+
+fn keys_show_an_audience_both_eyes_a_plot_and_the_map_beside_a_picture_as_high() {
+    let mut window = window_without_pictures(cyclist(0.9), [1280.0, 720.0]);
+    window.key_press(Key::P);
+    window.run_steps(3);
+    let alone = pane(&window, 0);
+    let plot = "Plot of Δφ of front tyre against T";
+    for (key, name) in [(Key::B, "Right eye view"), (Key::N, plot), (Key::M, "Map, from above")] {
+        assert!(window.query_by_label(name).is_none(), "{name}");
+        window.key_press(key);
+        window.run_steps(3);
+        let (picture, shown) = (pane(&window, 0), window.get_by_label(name).rect());
+        assert_eq!(picture.y_range(), alone.y_range(), "{name}");
+        assert!(picture.max.x <= shown.min.x && picture.width() < alone.width(), "{name}");
+        window.key_press(key);
+        window.run_steps(3);
+        assert!(window.query_by_label(name).is_none() && pane(&window, 0) == alone, "{name}");
+    }
+    // What was chosen for one preset is not for the next.
+    window.key_press(Key::N);
+    window.key_press(Key::PageDown);
+    window.run_steps(3);
+    assert!(!has_label(&window, "Plot of "));
+}
+
+fn a_key_shows_one_eye_in_the_window_and_both_again() {
+    let mut window = window_without_pictures(cyclist(0.9), [1120.0, 700.0]);
+    let wide = pane(&window, 0).width();
+    window.key_press(Key::B);
+    window.run_steps(3);
+    assert!(window.query_by_label("Right eye view").is_none() && pane(&window, 0).width() > 1.9 * wide);
+    window.key_press(Key::B);
+    window.run_steps(3);
+    assert_eq!(pane(&window, 0).width(), wide);
+    window.get_by_label("Right eye view");
+}
+
+fn layouts_for_two_eyes_keep_both_before_an_audience() {
+    for layout in [Layout::Anaglyph, Layout::FreeViewing, Layout::CrossEyed, Layout::Flicker] {
+        let mut window = window_without_pictures(cyclist(0.9), [1280.0, 720.0]);
+        window.state_mut().run(in_layout(layout));
+        window.key_press(Key::P);
+        window.run_steps(3);
+        let has_both = window.query_by_label("Both eyes' view").is_some()
+            || window.query_by_label("Right eye view").is_some();
+        assert!(has_both, "{layout:?}");
+    }
 }
 
 fn a_clicker_steps_the_presets_in_front_of_an_audience() {
@@ -62,12 +131,121 @@ fn a_clicker_steps_the_presets_in_front_of_an_audience() {
         window.key_press(Key::PageDown);
         window.run();
         assert_eq!(window.state().state().document.preset, Some(preset));
-        label_starting_with(&window, &format!("{}. ", preset.title));
+        window.get_by_label(&preset.title);
+        let words = labels(&window);
+        let is_begun =
+            |label: &String| label.len() > 10 && preset.caption.starts_with(label.trim_end_matches('.'));
+        assert!(words.iter().any(is_begun), "{}", preset.name);
         assert!(window.state().state().session.stage.is_presented());
     }
     window.key_press(Key::PageUp);
     window.run();
     assert_eq!(window.state().state().document.preset, Some(&Preset::all()[1]));
+}
+
+/// The screens of a lecture, points, and the least share of their height that the picture has.
+const SCREENS: [[f32; 2]; 4] = [[1024.0, 768.0], [1366.0, 768.0], [1920.0, 1080.0], [3840.0, 2160.0]];
+const LEAST_PICTURE: f32 = 0.65;
+
+/// Returns the places of the pictures.
+fn pictures(window: &Harness<'_, App>) -> Vec<Rect> {
+    let names = ["Left eye view", "Right eye view", "Both eyes' view"];
+    let all = names.iter().flat_map(|name| {
+        let nodes = window.root().children_recursive();
+        nodes
+            .filter(|node| node.accesskit_node().label().is_some_and(|label| label.starts_with(name)))
+            .map(|node| node.rect())
+            .collect::<Vec<_>>()
+    });
+    all.collect()
+}
+
+/// Checks how high the pictures are in a window of this `size`, and that they do not leave it.
+fn assert_picture_is_large(window: &Harness<'_, App>, size: [f32; 2], at: &str) -> Rect {
+    let all = pictures(window);
+    let screen = Rect::from_min_size(pos2(0.0, 0.0), size.into()).expand(0.5);
+    assert!(!all.is_empty() && all.iter().all(|picture| screen.contains_rect(*picture)), "{at}: {all:?}");
+    let together = all.iter().copied().reduce(Rect::union).expect("a picture");
+    assert!(together.height() >= LEAST_PICTURE * size[1], "{at}: {together:?} in {size:?}");
+    together
+}
+
+/// Returns what is painted over a `picture` and does not cover all of it, as its grounds do.
+fn painted_over(window: &Harness<'_, App>, picture: Rect) -> Vec<Rect> {
+    let inside = picture.shrink(3.0);
+    let shapes = window.output().shapes.iter();
+    let places = shapes.map(|clipped| clipped.shape.visual_bounding_rect().intersect(clipped.clip_rect));
+    places
+        .filter(|place| place.is_positive() && place.intersects(inside) && !place.contains_rect(inside))
+        .collect()
+}
+
+fn every_preset_has_two_thirds_of_the_height_before_an_audience_and_nothing_over_it() {
+    for size in SCREENS {
+        let mut window = window_without_pictures(cyclist(0.9), size);
+        window.key_press(Key::P);
+        for preset in Preset::all() {
+            window.key_press(Key::PageDown);
+            window.run_steps(3);
+            let at = format!("{} in {size:?}", preset.name);
+            let picture = assert_picture_is_large(&window, size, &at);
+            if !preset.settings.ride.is_on() && preset.settings.plots == PlotSettings::default() {
+                let over = painted_over(&window, picture);
+                assert!(over.is_empty(), "{at}: painted over {picture:?}: {over:?}");
+            }
+            assert!(words_are_high(&window, size), "{at}");
+        }
+    }
+}
+
+/// Whether the caption has at most three lines, high enough to be read.
+fn words_are_high(window: &Harness<'_, App>, size: [f32; 2]) -> bool {
+    let Some(preset) = window.state().state().document.preset else { return false };
+    let nodes = window.root().children_recursive();
+    let mut captions = nodes.filter(|node| {
+        let node = node.accesskit_node();
+        let label = node.label().or_else(|| node.value()).unwrap_or_default();
+        label.len() > 20 && preset.caption.starts_with(label.trim_end_matches('.'))
+    });
+    // Three lines of 3 % of the height, and the space between them.
+    let (least, most) = (0.03 * size[1], 3.0 * 1.3 * 0.042 * size[1]);
+    captions.any(|node| (least..=most).contains(&node.rect().height()))
+}
+
+fn every_step_of_every_lesson_keeps_its_large_picture_in_one_place_before_an_audience() {
+    let lessons = Library::own();
+    let lessons = lessons.all().iter().filter(|lesson| !lesson.is_a_preset());
+    for (number, lesson) in lessons.enumerate() {
+        let count = sweep([1, SCREENS.len()]);
+        for size in (0..count).map(|other| SCREENS[(number + other) % SCREENS.len()]) {
+            let mut state = cyclist(0.9);
+            state.begin_lesson(lesson).expect("it can be worked out");
+            let mut window = window_without_pictures(state, size);
+            // A field for a number takes the keys of letters.
+            window.state_mut().run(WindowCommand::TogglePresenting);
+            window.run_steps(3);
+            let mut before: Option<(usize, Rect)> = None;
+            loop {
+                let course = window.state().state().course().expect("a lesson");
+                let (place, is_over) = (course.place(), course.step().is_none());
+                let at = format!("{} {place:?} in {size:?}", lesson.name);
+                let picture = assert_picture_is_large(&window, size, &at);
+                if let Some((step, picture_before)) = before
+                    && step == place.step
+                {
+                    assert_eq!(picture, picture_before, "{at}");
+                }
+                before = Some((place.step, picture));
+                if is_over {
+                    break;
+                }
+                window.key_press(Key::PageDown);
+                window.run_steps(2);
+                window.state_mut().run(LessonCommand::Observe(0));
+                window.run_steps(2);
+            }
+        }
+    }
 }
 
 /// Checks the places of everything, in points, in every preset with few pixels; at the end the window is
@@ -85,20 +263,8 @@ fn presenting_works_at_every_size_and_preset() {
             window.key_press(Key::PageDown);
             window.run();
             assert_no_broken_numbers(&window);
-            if size[0] < 800.0 {
-                continue;
-            }
-            let area = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size)).expand(0.5);
-            // A ride has one large picture.
-            let is_one = window.state().state().document.settings.picture.layout == Layout::Left;
-            let names: &[&str] =
-                if is_one { &["Left eye view"] } else { &["Left eye view", "Right eye view"] };
-            for name in names {
-                let rect = window.get_by_label(name).rect();
-                assert!(
-                    area.contains_rect(rect) && rect.width() > 0.45 * size[0],
-                    "{name} at {rect:?} in {size:?}"
-                );
+            if size[0] >= 800.0 {
+                assert_picture_is_large(&window, size, "a preset");
             }
         }
         window.set_pixels_per_point(scale);

@@ -74,6 +74,7 @@ const LEAST: f32 = 0.03;
 fn an_audience_reads_every_word_of_every_lesson() {
     let size = [1024.0, 600.0];
     let screen = Rect::from_min_size(Pos2::ZERO, size.into());
+    let mut small = Vec::new();
     for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
         let mut state = State::open(Settings::default()).expect("usual settings");
         state.begin_lesson(lesson).expect("it can be worked out");
@@ -84,7 +85,9 @@ fn an_audience_reads_every_word_of_every_lesson() {
             for (text, rect) in words(&window) {
                 let at = format!("{} {place:?}: {text:?} at {rect:?}", lesson.name);
                 assert!(screen.contains_rect(rect), "{at} is not on the screen");
-                assert!(rect.height() >= row, "{at} is too small");
+                if rect.height() < row {
+                    small.push(at);
+                }
             }
             window.key_press(Key::PageDown);
             window.run_steps(2);
@@ -92,6 +95,7 @@ fn an_audience_reads_every_word_of_every_lesson() {
             window.run_steps(6);
         }
     }
+    assert!(small.is_empty(), "too small:\n{}", small.join("\n"));
 }
 
 fn course<'a>(window: &'a Harness<'_, App>) -> &'a Course {
@@ -134,6 +138,8 @@ fn texts(state: &State) -> Vec<String> {
         state.session.lesson.as_ref().is_some_and(gamow::app::state::lesson::Running::is_running);
     let mut texts = match course.place().phase {
         Phase::Ask => vec![step.text.markdown.source().to_owned()],
+        // The truth takes the place of what was to be looked at.
+        Phase::Shown if step.observation.is_some() && course.shows_truth() => Vec::new(),
         Phase::Shown => step.reveal.iter().map(|reveal| reveal.text.markdown.source().to_owned()).collect(),
         Phase::Explained => vec![step.explanation.markdown.source().to_owned()],
     };

@@ -5,7 +5,7 @@ use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use relativity_render::Geometry;
 
-use crate::app::commands::digits;
+use crate::app::commands::choice_keys;
 use crate::app::commands::riding::keys;
 use crate::app::commands::{
     Command, FileCommand, GazeCommand, LOOK_STEP, PlaybackCommand, PointsCommand, SettingsCommand,
@@ -107,12 +107,13 @@ pub static ACTIONS: &[Action] = &[
     action("give both eyes one light cone", &[key(Key::Num4)], geometry(Geometry::OneCone)),
     action(
         "compare two pictures of one eye: as seen, contracted, at rest, D²; on a ride, standing",
-        &[key(Key::B)],
+        &[with_shift(Key::B)],
         switch(Switch::Comparison),
     ),
+    action("show one eye's picture, or both eyes'", &[key(Key::B)], switch(Switch::BothEyes)),
     action("frame the whole scene in the views", &[key(Key::F)], Command::Gaze(GazeCommand::Whole)),
-    action("follow the next body", &[key(Key::N)], Command::Points(PointsCommand::FollowNext(1))),
-    action("follow the body before", &[with_shift(Key::N)], Command::Points(PointsCommand::FollowNext(-1))),
+    action("follow the next body", &[key(Key::J)], Command::Points(PointsCommand::FollowNext(1))),
+    action("follow the body before", &[with_shift(Key::J)], Command::Points(PointsCommand::FollowNext(-1))),
     action("zoom in", &[key(Key::Plus), key(Key::Equals)], Command::Gaze(GazeCommand::Magnify(ZOOM_STEP))),
     action("zoom out", &[key(Key::Minus)], Command::Gaze(GazeCommand::Magnify(1.0 / ZOOM_STEP))),
     action("look to the left", &[], Command::Gaze(GazeCommand::Aside([-LOOK_STEP, 0.0]))),
@@ -138,6 +139,8 @@ pub static ACTIONS: &[Action] = &[
     action("show or hide the resting outline in conformal views", &[key(Key::O)], switch(Switch::Resting)),
     action("swap the eyes", &[key(Key::X)], switch(Switch::Eyes)),
     action("show or hide the map", &[key(Key::M)], switch(Switch::Map)),
+    action("show or hide the plots", &[key(Key::N)], switch(Switch::Plots)),
+    action("show or hide the moment in words", &[], switch(Switch::Sentence)),
     action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], switch(Switch::Frame)),
     action(
         "set a cursor in the plots at T: the first, the second, none",
@@ -273,16 +276,17 @@ fn keys_text(keys: KeyboardShortcut) -> String {
 }
 
 /// Returns the commands of the keys pressed since the last frame, except keys that the focused widget takes.
-/// Digits answer the lesson while it shows choices.
+/// Letters and digits answer the lesson while it shows choices.
 pub fn asked(ctx: &Context, state: &State) -> Vec<Command> {
     let is_copying_text = ctx.plugin::<LabelSelectionState>().lock().has_selection();
     let is_meant =
-        |event: &&Event| !(digits::counts(state, event) || is_copying_text && **event == Event::Copy);
+        |event: &&Event| !(choice_keys::counts(state, event) || is_copying_text && **event == Event::Copy);
     let answered =
-        |event: &Event| digits::answered(state, event).map(|(digit, command)| (key(digit), command));
-    let meaning = |event: &Event| match keys::taken(state, event) {
-        Some(asked) => asked.map(|(asked, command)| (key(asked), command)),
-        None => answered(event).or_else(|| bound(event)),
+        |event: &Event| choice_keys::answered(state, event).map(|(asked, command)| (key(asked), command));
+    let meaning = |event: &Event| match (answered(event), keys::taken(state, event)) {
+        (Some(answered), _) => Some(answered),
+        (None, Some(asked)) => asked.map(|(asked, command)| (key(asked), command)),
+        (None, None) => bound(event),
     };
     let pressed: Vec<_> =
         ctx.input(|input| input.events.iter().filter(is_meant).filter_map(meaning).collect());

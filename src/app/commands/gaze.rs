@@ -69,15 +69,25 @@ impl State {
         let fov = camera.horizontal_fov.to_degrees() * zoom.factor;
         let range = self.document.settings.look.fov_range();
         let fov = fov.clamp(*range.start(), *range.end());
-        self.document.settings.look.fov = FieldOfView(Some(fov));
+        self.set_shown_fov(fov);
         let zoomed = Camera { horizontal_fov: fov.to_radians(), ..camera };
         self.stay_at(zoomed.gaze_with(direction, zoom.pixel));
+    }
+
+    /// Sets the field of view that the pictures show.
+    fn set_shown_fov(&mut self, shown: f64) {
+        let settings = &mut self.document.settings;
+        let size = self.frame.picture_size;
+        let fov = if self.frame.keeps_height { settings.narrowed_fov(shown, size) } else { shown };
+        settings.look.fov = FieldOfView(Some(fov));
     }
 
     /// Both eyes look there, in the observer's axes, from now on, with the present field of view.
     fn stay_at(&mut self, gaze: Gaze) {
         let gaze = self.rider().gaze_to_head(gaze);
-        self.document.settings.look.fov = self.look().fov;
+        if let Some(fov) = self.look().fov.0 {
+            self.set_shown_fov(fov);
+        }
         let azimuth = gaze.azimuth.rem_euclid(std::f64::consts::TAU);
         self.document.settings.look.gaze = GazeChoice::fixed_at(Gaze { azimuth, ..gaze });
     }

@@ -8,6 +8,7 @@ use crate::app::state::State;
 use crate::app::state::lesson::{LessonCommand, LessonSettings, Running, RunningAnimation};
 use crate::app::state::notice::Notice;
 use crate::app::state::pointer::Pick;
+use crate::app::state::queries::audience::panel_of_step;
 use crate::app::tools::clock;
 use crate::lesson::{Animated, Answer, AnswerKind, Answers, Course, Lesson, LessonError, Phase, Prediction};
 use crate::settings::Settings;
@@ -39,7 +40,7 @@ impl State {
             told: None,
             score: None,
         });
-        self.session.overlay = None;
+        (self.session.overlay, self.session.stage.audience.panel) = (None, None);
         if !lesson.is_a_preset() {
             self.session.next_lesson = Some(lesson.name.clone());
         }
@@ -102,6 +103,9 @@ impl State {
             LessonCommand::Close => self.close_lesson(),
         }
         let Some(now) = self.course().map(Course::place).filter(|now| *now != was) else { return };
+        if now.step != was.step {
+            self.session.stage.audience.panel = None;
+        }
         let is_same_state = now.step == was.step && (now.phase == Phase::Ask) == (was.phase == Phase::Ask);
         if is_same_state {
             self.finish_run();
@@ -181,10 +185,13 @@ impl State {
         let count = lesson.steps.len();
         let step = place.step.min(count.saturating_sub(1));
         let is_revealed = running.course.is_revealed() || place.step > step;
-        let told = lesson.settings(step, is_revealed, &base).map(|settings| LessonSettings {
-            place,
-            base: base.clone(),
-            settings,
+        let phase = |is_revealed| lesson.settings(step, is_revealed, &base);
+        let told = phase(false).and_then(|before| {
+            let phases = [before, phase(true)?];
+            let panel = panel_of_step(&phases);
+            let [before, after] = phases;
+            let settings = if is_revealed { after } else { before };
+            Ok(LessonSettings { place, base: base.clone(), settings, panel })
         });
         if let Err(error) = &told {
             self.tell(Notice::error(error));

@@ -3,7 +3,7 @@
 
 pub(in crate::app) mod actions;
 mod by_name;
-mod digits;
+pub(in crate::app) mod choice_keys;
 pub mod file_dialog;
 mod files;
 mod gaze;

@@ -53,6 +53,7 @@ impl State {
     }
 
     pub(super) fn show_preset(&mut self, preset: &Preset) {
+        self.session.stage.audience.panel = None;
         self.show(preset.settings.clone().in_place_of(&self.document.settings));
     }
 

@@ -1,7 +1,8 @@
 //! Settings that a key or a button gives their next value.
 
 use crate::app::state::State;
-use crate::flags::choices::further;
+use crate::app::state::stage::SidePanel;
+use crate::flags::choices::{Layout, further};
 use crate::settings::{MapFrame, MapSettings, Presence};
 
 /// A setting that is given its next value.
@@ -17,12 +18,18 @@ pub enum Switch {
     Simple,
     /// The eyes of the present layout, swapped or not.
     Eyes,
+    /// One eye's picture, or if that is shown both eyes'.
+    BothEyes,
     /// The next other picture of the left eye that can be shown, compared with its own.
     Comparison,
     /// The layout this many further in the list of them, or back.
     Layout(isize),
     /// The map, shown or hidden.
     Map,
+    /// The plots, shown or hidden.
+    Plots,
+    /// The moment in words, shown or hidden.
+    Sentence,
     /// The other frame of the map.
     Frame,
 }
@@ -43,14 +50,48 @@ impl State {
                 let picture = &mut settings.picture;
                 picture.swapped = picture.swapped.toggled(picture.layout);
             }
+            Switch::BothEyes => self.switch_eyes(),
             Switch::Comparison => settings.compare_next(),
             Switch::Layout(steps) => settings.picture.layout = further(&settings.picture.layout, steps),
+            Switch::Map if self.session.stage.is_presented() => self.switch_panel(SidePanel::Map),
+            Switch::Plots if self.session.stage.is_presented() => self.switch_panel(SidePanel::Plot),
+            Switch::Sentence if self.session.stage.is_presented() => {
+                self.session.stage.audience.tells_moment = !self.session.stage.audience.tells_moment;
+            }
+            Switch::Sentence => settings.window.sentence = !settings.window.sentence,
+            Switch::Plots => settings.window.plots = !settings.window.plots,
             Switch::Map => {
                 let is_shown = self.frame.shows_map;
                 settings.window.map = if is_shown { Presence::Off } else { Presence::On };
             }
             Switch::Frame => self.toggle_frame(),
         }
+    }
+
+    /// Shows one eye's picture in place of both eyes', or both.
+    fn switch_eyes(&mut self) {
+        let has_both = self.has_both_eyes();
+        let picture = &mut self.document.settings.picture;
+        let stage = &mut self.session.stage;
+        // Before an audience one of two pictures apart is left out, and the layout stays.
+        let leaves_one_out =
+            stage.is_presented() && stage.audience.both_eyes && picture.layout.shows_two_apart();
+        picture.layout = match (has_both, picture.layout) {
+            (true, layout) if leaves_one_out => layout,
+            (true, _) => Layout::Left,
+            (false, layout) if layout.has_both() => layout,
+            (false, _) => Layout::SideBySide,
+        };
+        stage.audience.both_eyes = !has_both;
+    }
+
+    /// Shows this panel beside the picture for an audience, or if it is shown none.
+    fn switch_panel(&mut self, panel: SidePanel) {
+        let shown = match self.side_panel() {
+            SidePanel::Fit => SidePanel::Plot,
+            shown => shown,
+        };
+        self.session.stage.audience.panel = Some(if shown == panel { SidePanel::Nothing } else { panel });
     }
 
     fn toggle_frame(&mut self) {

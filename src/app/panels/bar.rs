@@ -16,6 +16,7 @@ use crate::app::state::files::recent::file_name;
 use crate::app::state::overlay::Overlay;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
+use crate::caption::beginnings;
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Theme, WindowSettings, about, meaning};
 use crate::units::Units;
@@ -118,16 +119,9 @@ fn caption(ui: &mut Ui, state: &State) {
         job.wrap = wrap.clone();
         ui.painter().layout_job(job)
     };
-    let sentences = sentences(&preset.caption);
-    let fits = sentences.iter().rev().map(|text| laid(text)).find(|galley| !galley.elided);
-    let galley = fits.unwrap_or_else(|| laid(sentences[0]));
+    let fits = beginnings(&preset.caption).iter().rev().map(|text| laid(text)).find(|galley| !galley.elided);
+    let galley = fits.unwrap_or_else(|| laid(&preset.caption));
     ui.label(galley).on_hover_text(&preset.caption);
-}
-
-/// Returns the first sentence of `text`, the first two, and so on up to all of it.
-fn sentences(text: &str) -> Vec<&str> {
-    let ends = text.match_indices(". ").map(|(at, _)| &text[..=at]);
-    ends.chain([text]).collect()
 }
 
 fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {

@@ -1,19 +1,23 @@
 //! The corrected picture beside those of the eyes, and by which speed it was corrected.
 
 use eframe::egui::{
-    self, Color32, Pos2, Rect, Sense, Stroke, StrokeKind, TextureHandle, Ui, accesskit::Role, pos2,
+    self, Color32, Pos2, Rect, Sense, Stroke, StrokeKind, TextureHandle, Ui, accesskit::Role, pos2, vec2,
 };
 
 use crate::app::state::queries::observer::SpeedCorrection;
+use crate::app::views::panes::{Pane, PaneTitle};
 use crate::app::widgets::pane_title;
 use crate::number_text;
 
-/// Draws the pane in `rect`.
-pub fn show(ui: &Ui, rect: Rect, correction: &SpeedCorrection, picture: Option<&TextureHandle>) {
+/// Draws `pane`.
+pub fn show(ui: &Ui, pane: Pane, correction: &SpeedCorrection, picture: Option<&TextureHandle>) {
     let colour = ui.visuals().text_color();
     let by = if correction.is_fitted { "fitted" } else { "set" };
     let text = format!("Corrected by the {by} β {}", number_text::beta(&correction.speed));
-    pane_title(ui, rect, &text, colour);
+    let rect = pane.rect;
+    let below = vec2(0.0, rect.height() + pane.band);
+    let named = if pane.title == PaneTitle::InBand { rect.translate(below) } else { rect };
+    pane_title(ui, named, &text, colour);
     let painter = ui.painter();
     painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
     if let Some(picture) = picture {

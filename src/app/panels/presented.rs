@@ -1,38 +1,38 @@
-//! The words for an audience, below the views: the speed and the moment, and what is shown and why, or those
-//! of a lesson; so large that the last row reads them.
+//! The words for an audience, below the picture, so large that the last row reads them: the speed and the
+//! title, beside them what is seen and why, and the keys that show more.
 
-use std::hash::{DefaultHasher, Hash, Hasher as _};
+use eframe::egui::{Align, Context, FontId, Label, Layout, Rect, RichText, TextStyle, Ui, UiBuilder, vec2};
 
-use eframe::egui::{Context, Id, Label, Rect, RichText, TextStyle, Ui};
-
+use super::Commands;
+use crate::app::commands::actions::keys_of;
+use crate::app::commands::choice_keys;
+use crate::app::commands::{Command, SettingsCommand, Switch};
 use crate::app::state::State;
-use crate::app::views::window_layout::Beside;
+use crate::app::state::stage::SidePanel;
 use crate::app::widgets::fitted;
 use crate::app::widgets::theme;
+use crate::caption::beginnings;
 
 /// Least size of writing before an audience, as a part of the window's height.
 pub const LEAST_SHARE: f32 = 0.03;
-/// Largest and smallest sizes of the words, as parts of the same height. The smallest is for windows that
-/// nobody presents in: in those of usual shapes all that comes with the program stays above [`LEAST_SHARE`].
-const SIZES: [f32; 2] = [0.042, 0.018];
+/// Largest and smallest sizes of a lesson's words, as parts of the same height. The smallest is for windows
+/// that nobody presents in: in those of usual shapes all that comes with the program stays above
+/// [`LEAST_SHARE`].
+const LESSON_SIZES: [f32; 2] = [0.042, 0.018];
+/// Sizes of a caption, as multiples of the least: it gets as many sentences as have room at the middle one,
+/// and the largest at which they have it.
+const CAPTION_SIZES: [f32; 4] = [1.4, 1.27, 1.13, 1.0];
+/// Greatest number of lines of a caption.
+const CAPTION_LINES: usize = 3;
 /// Bounds of how much larger than usual writing is for an audience, for windows of any size.
 const SCALES: [f32; 2] = [0.8, 12.0];
 /// Size of the speed, relative to the other words.
-const SPEED: f32 = 1.5;
+const SPEED: f32 = 1.6;
 /// Height of the smallest writing in a window of this height that is less wide than high, in widths.
 const LEAST_ASPECT: f32 = 0.75;
-
-/// Share of the room above which words get all of it.
-const NEARLY: f32 = 0.92;
-
-/// Height of words, as far as it is known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct KnownHeight {
-    /// Hash of the words, the panel beside them and the window's size.
-    key: u64,
-    /// The height that they need; infinite if they would be too small.
-    need: f32,
-}
+/// Share of the width that the speed and the title have, and of the height that the keys have.
+const HEADING_WIDTH: f32 = 0.2;
+const KEYS_HEIGHT: f32 = 1.3;
 
 /// Returns the height in proportion to which a window of this `area` writes for an audience.
 #[must_use]
@@ -49,85 +49,139 @@ pub fn scale(ctx: &Context) -> f32 {
     (LEAST_SHARE * height / theme::SMALL_SIZE).clamp(least, most)
 }
 
-/// Words, and where they are shown.
-#[derive(Debug, Clone, Copy)]
-pub struct Words<'a> {
-    /// Identifier of the words, different for each text.
-    pub what: &'a str,
-    /// Inner area of the whole window.
-    pub area: Rect,
-    /// The panel beside them.
-    pub beside: Beside,
-}
-
-impl Words<'_> {
-    /// Returns the height that they need, if that is known.
-    #[must_use]
-    pub fn needed(&self, ctx: &Context) -> Option<f32> {
-        let known = ctx.data(|data| data.get_temp::<KnownHeight>(id(ctx)));
-        known.filter(|known| known.key == self.key()).map(|known| known.need)
-    }
-
-    /// Shows these `contents` in all of the room there is.
-    pub fn show(&self, ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
-        let (key, room) = (self.key(), ui.max_rect().height());
-        let height = ui.ctx().zoom_factor() * reference_height(self.area);
-        let [need, size] = fitted::show(ui, key, SIZES.map(|share| share * height), |ui| {
-            ui.spacing_mut().item_spacing.y = 0.25 * TextStyle::Body.resolve(ui.style()).size;
-            contents(ui);
+/// Shows the words: the heading on the left, beside it the `lesson` or the caption of the preset. The
+/// `notes` say where the picture is not what an eye would see.
+pub fn show(
+    ui: &mut Ui,
+    state: &State,
+    notes: &str,
+    lesson: Option<(String, impl FnOnce(&mut Ui, &State, &mut Commands))>,
+    commands: &mut Commands,
+) {
+    let rect = ui.max_rect();
+    let least = TextStyle::Small.resolve(ui.style()).size;
+    let (heading_room, words) = rect.split_left_right_at_fraction(HEADING_WIDTH);
+    let words = words.with_min_x(words.min.x + least);
+    let keys = keys_text(state);
+    if let Some((key, lesson)) = lesson {
+        heading(ui, state, heading_room, [notes, &keys]);
+        ui.scope_builder(UiBuilder::new().id_salt("words").max_rect(words), |ui| {
+            fitting(ui, key, |ui| lesson(ui, state, commands));
         });
-        note(ui.ctx(), key, [need, room], size < LEAST_SHARE * height);
-    }
-
-    fn key(&self) -> u64 {
-        let mut hasher = DefaultHasher::new();
-        let size = [self.area.width(), self.area.height()].map(f32::to_bits);
-        (self.what, self.beside, size).hash(&mut hasher);
-        hasher.finish()
+    } else {
+        heading(ui, state, heading_room, [""; 2]);
+        let share = (1.0 - KEYS_HEIGHT * least / words.height().max(1.0)).clamp(0.0, 1.0);
+        let (words, foot) = words.split_top_bottom_at_fraction(share);
+        caption(ui, state, words, least);
+        line(ui, foot, notes, &keys);
     }
 }
 
-/// Keeps that the words with this key need so much where they have that `room`: it is given to them from the
-/// next pass on. What is too small, or grows while it is shown, gets all the room there is.
-fn note(ctx: &Context, key: u64, [need, room]: [f32; 2], is_small: bool) {
-    let id = id(ctx);
-    let known = ctx.data(|data| data.get_temp::<KnownHeight>(id)).filter(|known| known.key == key);
-    let exceeds = need > room + 0.5;
-    let next = match known.map(|known| known.need) {
-        Some(f32::INFINITY) => return,
-        _ if is_small => f32::INFINITY,
-        Some(_) if exceeds => f32::INFINITY,
-        Some(_) => return,
-        None if exceeds => return,
-        // Nearly as much is as good: another height would have all written anew.
-        None if need > NEARLY * room => room,
-        None => need,
+/// Shows `contents` of a lesson as large as fits into the room of `ui`; `key` tells what they are.
+pub fn fitting(ui: &mut Ui, key: String, contents: impl FnOnce(&mut Ui)) {
+    let height = ui.ctx().zoom_factor() * reference_height(ui.ctx().content_rect());
+    fitted::show(ui, key, LESSON_SIZES.map(|share| share * height), |ui| {
+        ui.spacing_mut().item_spacing.y = 0.25 * TextStyle::Body.resolve(ui.style()).size;
+        contents(ui);
+    });
+}
+
+/// Writes the speed and the title into `rect`, and at its bottom those of the `others` that have room.
+fn heading(ui: &mut Ui, state: &State, rect: Rect, others: [&str; 2]) {
+    ui.scope_builder(UiBuilder::new().id_salt("heading").max_rect(rect), |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let strong = ui.visuals().strong_text_color();
+        let least = TextStyle::Small.resolve(ui.style()).size;
+        let write = |ui: &mut Ui, text: RichText| ui.add(Label::new(text).selectable(false));
+        write(ui, RichText::new(state.told_speed_text()).size(SPEED * least).color(strong));
+        if let Some(others) = state.others_speed_text() {
+            write(ui, RichText::new(others).size(least));
+        }
+        write(ui, RichText::new(title(state)).size(least).weak());
+        let free = ui.available_rect_before_wrap().intersect(rect);
+        let font = FontId::proportional(least);
+        let mut room = free;
+        for text in others.into_iter().rev().filter(|text| !text.is_empty()) {
+            let galley = ui.painter().layout(text.to_owned(), font.clone(), strong, room.width().max(1.0));
+            if galley.size().y > room.height() {
+                continue;
+            }
+            let place = Rect::from_min_max(room.left_bottom() - vec2(0.0, galley.size().y), room.max);
+            room.max.y = place.min.y;
+            ui.scope_builder(UiBuilder::new().id_salt(text).max_rect(place), |ui| {
+                write(ui, RichText::new(text).size(least).weak());
+            });
+        }
+    });
+}
+
+/// The title of what is shown: of the lesson, with its step, of the preset or of the scene.
+fn title(state: &State) -> String {
+    if let Some(course) = state.course() {
+        let (lesson, step) = (course.lesson(), course.place().step);
+        let count = lesson.steps.len();
+        let place =
+            if count > 1 && step < count { format!("  {} of {count}", step + 1) } else { String::new() };
+        return format!("{}{place}", lesson.title);
+    }
+    let preset = state.document.preset.map(|preset| preset.title.clone());
+    preset.unwrap_or_else(|| state.document.scene.name.clone())
+}
+
+/// Writes the caption of the preset into `rect`, or the moment in words where that is asked for: as many
+/// whole sentences as have room.
+fn caption(ui: &mut Ui, state: &State, rect: Rect, least: f32) {
+    let text = match state.document.preset {
+        Some(preset) if !state.session.stage.audience.tells_moment => preset.caption.clone(),
+        None if !state.session.stage.audience.tells_moment => return,
+        _ => state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}"),
     };
-    ctx.data_mut(|data| data.insert_temp(id, KnownHeight { key, need: next }));
-    ctx.request_discard("the words get as much room as they need");
-    ctx.request_repaint();
+    let colour = ui.visuals().strong_text_color();
+    let fits = |text: &str, size: f32| {
+        let font = FontId::proportional(size * least);
+        let galley = ui.painter().layout(text.to_owned(), font, colour, rect.width().max(1.0));
+        galley.rows.len() <= CAPTION_LINES && galley.size().y <= rect.height()
+    };
+    let beginnings = beginnings(&text);
+    let [_, _, usual, smallest] = CAPTION_SIZES;
+    let longest = |size: f32| beginnings.iter().rev().find(|text| fits(text, size));
+    let shown = longest(usual).or_else(|| longest(smallest)).or(beginnings.first());
+    let Some(shown) = shown else { return };
+    let size = CAPTION_SIZES.into_iter().find(|size| fits(shown, *size)).unwrap_or(smallest);
+    ui.scope_builder(UiBuilder::new().id_salt("caption").max_rect(rect), |ui| {
+        ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+        ui.add(Label::new(RichText::new(shown.as_str()).size(size * least).color(colour)).selectable(false));
+    });
 }
 
-fn id(ctx: &Context) -> Id {
-    Id::unique(("words for an audience", ctx.viewport_id()))
+/// Writes the notes at the left end of a line and the keys at the right one.
+fn line(ui: &mut Ui, rect: Rect, notes: &str, keys: &str) {
+    let write = |ui: &mut Ui, text: &str| {
+        ui.add(Label::new(RichText::new(text).small().weak()).selectable(false).truncate());
+    };
+    ui.scope_builder(UiBuilder::new().id_salt("keys").max_rect(rect), |ui| {
+        ui.with_layout(Layout::right_to_left(Align::Max), |ui| {
+            write(ui, keys);
+            ui.with_layout(Layout::left_to_right(Align::Max), |ui| write(ui, notes));
+        });
+    });
 }
 
-/// Shows the speed, the moment in a sentence, and the caption of the preset. A fit is of the whole passage:
-/// beside it no moment is described, and the views keep that room.
-pub fn preset(ui: &mut Ui, state: &State, beside: Beside) {
-    let size = TextStyle::Body.resolve(ui.style()).size;
-    let strong = ui.visuals().strong_text_color();
-    let write = |ui: &mut Ui, text: RichText| ui.add(Label::new(text).selectable(false));
-    write(ui, RichText::new(state.told_speed_text()).size(SPEED * size).color(strong));
-    if let Some(others) = state.others_speed_text() {
-        write(ui, RichText::new(others));
-    }
-    if beside != Beside::Fit {
-        // A number is not parted from its unit, nor from what it is the value of.
-        let sentence = state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");
-        write(ui, RichText::new(sentence).color(strong));
-    }
-    if let Some(preset) = state.document.preset {
-        write(ui, RichText::new(format!("{}. {}", preset.title, preset.caption)));
-    }
+/// The keys that show an audience more or less.
+fn keys_text(state: &State) -> String {
+    let panel = state.side_panel();
+    let is_plot = matches!(panel, SidePanel::Plot | SidePanel::Fit);
+    let eyes = if state.has_both_eyes() { "one eye" } else { "two eyes" };
+    let shown = [
+        (Switch::BothEyes, eyes),
+        (Switch::Plots, if is_plot { "no plot" } else { "plot" }),
+        (Switch::Map, if panel == SidePanel::Map { "no map" } else { "map" }),
+    ];
+    let keys = |switch| keys_of(&[Command::Settings(SettingsCommand::Switch(switch))]);
+    // While choices stand there, the letters are theirs.
+    let count = choice_keys::count(state);
+    let free = shown.into_iter().filter(|(switch, _)| count < 2 || *switch != Switch::BothEyes);
+    let texts = free.map(|(switch, shows)| format!("{} {shows}", keys(switch)).replace(' ', "\u{a0}"));
+    let answers = (count > 0).then(|| format!("A–{}\u{a0}answer", choice_keys::letter_of(count - 1)));
+    answers.into_iter().chain(texts).collect::<Vec<_>>().join(" · ")
 }

@@ -1,83 +1,79 @@
-//! The page for an audience: the views, one plot, the map or the fit, and words, all large.
+//! The page for an audience: the picture, perhaps beside it a plot, the map or the fit, and words, all large.
 
 use eframe::egui::{Rect, Ui};
 
 use crate::app::panels;
 use crate::app::panels::plots::Plotted;
-use crate::app::panels::presented::Words;
+use crate::app::panels::presented;
 use crate::app::shell::App;
-use crate::app::state::State;
+use crate::app::state::stage::SidePanel;
 use crate::app::views::halo;
-use crate::app::views::window_layout::{Beside, LessonPart, Presentation};
-use crate::settings::{PlotTab, Presence, WindowSettings};
+use crate::app::views::window_layout::Presentation;
+
+/// Margin around a question beside the picture, in widths.
+const MARGIN: f32 = 0.04;
 
 impl App {
-    /// Returns the panel to show beside the words for an audience.
-    pub(in crate::app) fn beside_words(&self) -> Beside {
-        let plot =
-            if self.state.document.settings.plots.plot == PlotTab::Fit && self.state.sketched().is_none() {
-                Beside::Fit
-            } else {
-                Beside::Plot
-            };
-        match (self.lesson_part(), self.state.shown_window()) {
-            (LessonPart::Nothing, _) => plot,
-            (_, WindowSettings { map: Presence::On, .. }) if !self.state.shows_sketch() => Beside::Map,
-            (_, WindowSettings { plots: true, .. }) => plot,
-            _ => Beside::Nothing,
-        }
+    /// Lays out a window with this inner `area` for an audience.
+    pub(in crate::app) fn presentation(&self, ui: &Ui, area: Rect) -> Presentation {
+        let state = &*self.state;
+        let arranged = self.arranged(ui).for_audience(state.session.stage.audience.both_eyes);
+        Presentation::new(area, &arranged, state.session.lesson.is_some(), state.reserved_panel())
     }
 
-    /// Shows the views, one plot and the words, large.
+    /// Shows the picture, the panel beside it and the words, large.
     pub(in crate::app) fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
-        let beside = self.beside_words();
-        let what = self.words();
-        let words = Words { what: &what, area, beside };
-        let presentation = Presentation::new(area, &self.arranged(ui), beside, words.needed(ui.ctx()));
+        let presentation = self.presentation(ui, area);
+        let panel = self.state.side_panel();
         self.measure_pictures(ui, &presentation.panes);
         self.choose_methods(ui, &presentation.panes);
-        self.update_fit(ui.ctx(), beside == Beside::Fit);
+        self.update_fit(ui.ctx(), panel == SidePanel::Fit);
         self.update_examination(ui, &presentation.panes, false);
         for &pane in &presentation.panes {
             self.interact(ui, pane);
         }
-        self.state.frame_mut().shows_map = beside == Beside::Map && presentation.plot.is_some();
-        if let Some(rect) = presentation.plot {
-            self.beside(ui, beside, rect);
-        }
+        self.state.frame_mut().shows_map = panel == SidePanel::Map && presentation.panel.is_some();
+        self.show_beside_picture(ui, &presentation);
         self.paint_all(ui, &presentation.panes);
         self.forget_composed(&presentation.panes);
         let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
         self.message(ui.ctx(), views.unwrap_or(area), area);
         halo::paint(ui.ctx());
-        if let Some(rect) = presentation.words {
-            self.show_words(ui, rect, words);
-        }
+        self.show_words(ui, &presentation);
     }
 
-    /// Tells which words an audience has.
-    pub(in crate::app) fn words(&self) -> String {
-        let State { document, session, .. } = &*self.state;
-        let lesson = session.lesson.as_ref().map(panels::lesson::what_is_shown);
-        lesson.or_else(|| document.preset.map(|preset| preset.name.to_owned())).unwrap_or_default()
-    }
-
-    /// Shows an audience the `words` of the lesson, else those of the preset.
-    pub(in crate::app) fn show_words(&mut self, ui: &mut Ui, rect: Rect, words: Words<'_>) {
+    /// Shows an audience the words of the lesson, else those of the preset.
+    pub(in crate::app) fn show_words(&mut self, ui: &mut Ui, presentation: &Presentation) {
+        let Some(rect) = presentation.words else { return };
+        let pane = presentation.panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied());
+        let notes = pane.map(|pane| panels::views::note_for_audience(ui, &self.state, pane));
         self.show_panel(ui, "words", rect, |ui, state, commands| {
-            words.show(ui, |ui| match state.session.lesson {
-                Some(_) => panels::lesson::presented::show(ui, state, commands),
-                None => panels::presented::preset(ui, state, words.beside),
-            });
+            let lesson = state.session.lesson.as_ref().map(panels::lesson::what_is_shown);
+            let lesson = lesson.map(|key| (key, panels::lesson::presented::show));
+            presented::show(ui, state, &notes.unwrap_or_default(), lesson, commands);
         });
     }
 
-    /// Shows the panel `beside` the words for an audience, at `rect`.
-    pub(in crate::app) fn beside(&mut self, ui: &mut Ui, beside: Beside, rect: Rect) {
-        if beside == Beside::Map {
-            self.show_panel(ui, "map", rect, panels::map::show_presented);
-            return;
+    /// Shows the panel beside the picture for an audience.
+    pub(in crate::app) fn show_beside_picture(&mut self, ui: &mut Ui, presentation: &Presentation) {
+        let (panel, Some(rect)) = (self.state.side_panel(), presentation.panel) else { return };
+        match panel {
+            SidePanel::Nothing => {
+                let key = self.state.session.lesson.as_ref().map(panels::lesson::what_is_shown);
+                let room = rect.shrink(rect.width() * MARGIN);
+                self.show_panel(ui, "question", room, |ui, state, commands| {
+                    presented::fitting(ui, key.unwrap_or_default(), |ui| {
+                        panels::lesson::presented::show_beside(ui, state, commands);
+                    });
+                });
+            }
+            SidePanel::Map => self.show_panel(ui, "map", rect, panels::map::show_presented),
+            SidePanel::Plot | SidePanel::Fit => self.show_one_plot(ui, rect),
         }
+    }
+
+    /// Shows a single plot, or the fit, at `rect`.
+    fn show_one_plot(&mut self, ui: &mut Ui, rect: Rect) {
         if !self.state.shows_sketch() {
             self.update_curves();
         }

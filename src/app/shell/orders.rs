@@ -150,6 +150,9 @@ impl App {
     fn settings_of_picture(&self, ui: &Ui, size: [u32; 2]) -> Settings {
         let mut settings = self.state.shown();
         settings.picture.size = Size(size);
+        if self.state.frame.keeps_height && settings.look.set_fov().is_some() {
+            settings.look.fov = self.state.look().fov;
+        }
         settings.look.geometry = settings.geometry();
         if !settings.is_comparing() {
             settings.look.compare = Compare::Off;

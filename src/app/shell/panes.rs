@@ -12,7 +12,7 @@ use crate::app::views::corrected::Corrected;
 use crate::app::views::examination::{Examination, ExaminedViews};
 use crate::app::views::eyes::{EyePictures, ShownPicture};
 use crate::app::views::flicker;
-use crate::app::views::panes::{EyePane, Pane, PaneContent, on_screen};
+use crate::app::views::panes::{EyePane, Pane, PaneContent, PaneTitle, on_screen};
 use crate::app::views::slide::panorama;
 use crate::app::widgets::theme;
 use crate::flags::choices::Form;
@@ -28,21 +28,23 @@ impl App {
     pub(in crate::app) fn eye_panes(&self, ui: &Ui, pane: &Pane) -> Vec<EyePane> {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
         let scale = ui.pixels_per_point();
-        match pane.content {
+        let panes = match pane.content {
             PaneContent::Eye(eye) => vec![EyePane::new(eye, pane.rect, scale, largest)],
             PaneContent::Second => vec![EyePane::second(pane.rect, scale, largest)],
             PaneContent::Both => {
                 EyePane::both(&self.state.document.settings.picture, pane.rect, scale, largest).into()
             }
             PaneContent::Corrected => Vec::new(),
-        }
+        };
+        panes.into_iter().map(|eye_pane| eye_pane.of(pane)).collect()
     }
 
     /// Notes how large the eyes' pictures are, and how the eyes look: fields of view are fitted to that of
     /// the first.
     pub(in crate::app) fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
         if let Some(pane) = panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied()) {
-            self.state.frame_mut().picture_size = pane.size;
+            let frame = self.state.frame_mut();
+            (frame.picture_size, frame.keeps_height) = (pane.size, pane.title != PaneTitle::Above);
             self.state.note_looks();
         }
     }
@@ -81,7 +83,8 @@ impl App {
                 panorama::join(ui, &self.state, [upper, lower]);
             }
         }
-        let Some(area) = panes.iter().map(|pane| pane.rect).reduce(Rect::union) else { return };
+        let titled = panes.iter().filter(|pane| pane.title == PaneTitle::Above).map(|pane| pane.rect);
+        let Some(area) = titled.reduce(Rect::union) else { return };
         let height = theme::text_scale(ui.style()) * theme::TITLE_HEIGHT;
         let strip = Rect::from_min_max(area.min - vec2(0.0, height), area.right_top());
         if panels::panorama::is_offered(&self.state, area) {
@@ -108,7 +111,7 @@ impl App {
     fn paint(&mut self, ui: &mut Ui, pane: Pane) {
         match (pane.content, self.eye_panes(ui, &pane).as_slice()) {
             (PaneContent::Both, &[first, second]) => self.paint_both(ui, [first, second]),
-            (PaneContent::Corrected, _) => self.show_corrected(ui, pane.rect),
+            (PaneContent::Corrected, _) => self.show_corrected(ui, pane),
             (_, panes) => panes.iter().for_each(|&pane| {
                 let title = self.state.title_of(pane);
                 // What is drawn in both pictures of one eye has a name of its own in each.
@@ -218,12 +221,12 @@ impl App {
         panels::views::paint_both(ui, &self.state, &panes, picture, &heat_maps);
     }
 
-    /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
-    fn show_corrected(&mut self, ui: &Ui, rect: Rect) {
+    /// Shows the left eye's picture in `pane`, corrected by the fitted speed while there is a fit in view.
+    fn show_corrected(&mut self, ui: &Ui, pane: Pane) {
         let Settings { plots, window, .. } = *self.state.document.settings;
         let fit = self.fitting.shown().filter(|_| window.plots && plots.plot == PlotTab::Fit);
         let correction = self.state.correction(fit);
-        let size = (rect.size() * ui.pixels_per_point()).round();
+        let size = (pane.rect.size() * ui.pixels_per_point()).round();
         let job = crate::app::views::corrected::CorrectedKey {
             view: self.state.view_to_correct([size.x, size.y].map(|side| side.max(1.0) as u32)),
             speed: correction.speed,
@@ -231,7 +234,7 @@ impl App {
         };
         let corrected = self.corrected.get_or_insert_with(|| Corrected::new(ui.ctx()));
         corrected.request(&self.state.document.prepared, &job);
-        panels::corrected::show(ui, rect, &correction, corrected.newest());
+        panels::corrected::show(ui, pane, &correction, corrected.newest());
     }
 
     /// Gives up the one picture of both eyes unless one of the `panes` shows it.

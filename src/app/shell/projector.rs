@@ -4,12 +4,12 @@ use eframe::egui::{Context, Ui, ViewportBuilder, ViewportClass, ViewportCommand,
 
 use crate::app::commands::actions;
 use crate::app::commands::{Command, WindowCommand};
-use crate::app::panels::presented::{self, Words};
+use crate::app::panels::presented;
 use crate::app::shell::App;
 use crate::app::shell::other_screen::{Screen, other_screen};
 use crate::app::views::eyes::EyePictures;
 use crate::app::views::halo;
-use crate::app::views::window_layout::{self, Presentation};
+use crate::app::views::window_layout;
 use crate::app::widgets::name_window;
 use crate::app::widgets::theme;
 
@@ -92,19 +92,16 @@ impl App {
         name_window(ui.ctx(), TITLE);
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let arranged = self.arranged(ui).without_corrected();
-        let beside = self.state.session.lesson.is_some().then(|| self.beside_words());
-        let what = self.words();
-        let lesson = beside.map(|beside| {
-            let words = Words { what: &what, area, beside };
-            (words, Presentation::new(area, &arranged, beside, words.needed(ui.ctx())))
-        });
-        let panes = match &lesson {
-            Some((_, lesson)) => lesson.panes.clone(),
-            None => window_layout::views(area, &arranged),
+        let scale = presented::scale(ui.ctx());
+        theme::set_body_size(ui.style_mut(), theme::BODY_SIZE * scale);
+        let presentation = self.state.session.lesson.is_some().then(|| self.presentation(ui, area));
+        let panes = match &presentation {
+            Some(presentation) => presentation.panes.clone(),
+            None => window_layout::views(area, &self.arranged(ui).without_corrected()),
         };
         // What is off is examined in pictures of the other window's size.
-        let (size, examination) = (self.state.frame.picture_size, self.examination.take());
+        let (size, keeps_height) = (self.state.frame.picture_size, self.state.frame.keeps_height);
+        let examination = self.examination.take();
         let choices = self.state.frame.choices.clone();
         std::mem::swap(&mut self.eyes, &mut self.projected);
         let fade = std::mem::take(&mut self.fade);
@@ -117,25 +114,12 @@ impl App {
         self.forget_composed(&panes);
         std::mem::swap(&mut self.eyes, &mut self.projected);
         (self.examination, self.fade) = (examination, fade);
-        self.state.frame_mut().picture_size = size;
+        (self.state.frame_mut().picture_size, self.state.frame_mut().keeps_height) = (size, keeps_height);
         self.state.frame_mut().choices = choices;
-        if let Some((words, lesson)) = lesson {
-            self.show_projected_lesson(ui, words, &lesson);
+        if let Some(presentation) = presentation {
+            self.show_beside_picture(ui, &presentation);
+            self.show_words(ui, &presentation);
         }
         halo::paint(ui.ctx());
-    }
-
-    /// Shows the lesson's words and the panel beside them in the projector's window.
-    fn show_projected_lesson(&mut self, ui: &mut Ui, words: Words<'_>, lesson: &Presentation) {
-        let size = theme::BODY_SIZE * presented::scale(ui.ctx());
-        ui.scope(|ui| {
-            theme::set_body_size(ui.style_mut(), size);
-            if let Some(rect) = lesson.plot {
-                self.beside(ui, words.beside, rect);
-            }
-            if let Some(rect) = lesson.words {
-                self.show_words(ui, rect, words);
-            }
-        });
     }
 }

@@ -8,7 +8,7 @@ use crate::app::panels::stereoscope::{self as menu, Known, MenuChoice};
 use crate::app::shell::App;
 use crate::app::state::shared::Shared;
 use crate::app::views::halo;
-use crate::app::views::panes::{Pane, PaneContent};
+use crate::app::views::panes::{Pane, PaneContent, PaneTitle};
 use crate::app::views::stereoscope::card::{CardOutline, Match};
 use crate::app::views::stereoscope::lenses;
 use crate::app::views::stereoscope::orientation::Orientation;
@@ -120,8 +120,12 @@ impl App {
     fn paint_pictures(&mut self, ui: &mut Ui, pictures: &Pictures, head: &Head) {
         let settings = self.state.document.settings.before_head(head, pictures.fov);
         let own = self.state.exchange(Shared::from(settings));
-        let panes =
-            Eye::BOTH.map(|eye| Pane { content: PaneContent::Eye(eye), rect: pictures.rects[eye.index()] });
+        let panes = Eye::BOTH.map(|eye| Pane {
+            content: PaneContent::Eye(eye),
+            rect: pictures.rects[eye.index()],
+            band: 0.0,
+            title: PaneTitle::Nowhere,
+        });
         self.measure_pictures(ui, &panes);
         self.choose_methods(ui, &panes);
         let eyes: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();

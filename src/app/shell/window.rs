@@ -182,6 +182,6 @@ impl App {
     pub(in crate::app) fn arranged(&self, ui: &Ui) -> Arrangement {
         let State { document, frame, .. } = &*self.state;
         let cm_per_point = frame.cm_per_pixel * f64::from(ui.pixels_per_point());
-        Arrangement::new(&document.settings, cm_per_point, self.text_scale)
+        Arrangement::new(&document.settings, cm_per_point, theme::text_scale(ui.style()))
     }
 }

@@ -15,6 +15,8 @@ use crate::settings::{LookSettings, Settings, Subject};
 pub struct Frame {
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
     pub picture_size: [u32; 2],
+    /// Whether pictures wider than usual show as much in height as usual ones: those before an audience.
+    pub keeps_height: bool,
     /// The size of a pixel of the screen, cm.
     pub cm_per_pixel: f64,
     /// Automatic choice for views of each geometry that is shown.
@@ -37,23 +39,38 @@ pub(in crate::app) struct Looked {
     time: f64,
     tracked: Track,
     size: [u32; 2],
+    keeps_height: bool,
     pub(in crate::app) look: LookSettings,
     pub(in crate::app) outline: Arc<Outline>,
 }
 
 impl Looked {
-    pub(in crate::app) fn new(document: &Document, settings: &Shared<Settings>, size: [u32; 2]) -> Self {
+    pub(in crate::app) fn new(
+        document: &Document,
+        settings: &Shared<Settings>,
+        size: [u32; 2],
+        keeps_height: bool,
+    ) -> Self {
         let (prepared, tracked) = (document.prepared.clone(), document.points.selected().track);
         let subject = Subject { scene: &prepared, tracked };
-        let look = settings.fixed_look(subject, document.time, size);
+        let look = settings.shown_look(subject, document.time, size, keeps_height);
         let outline = Arc::new(settings.outline(&prepared, document.time));
-        Self { settings: settings.clone(), prepared, time: document.time, tracked, size, look, outline }
+        Self {
+            settings: settings.clone(),
+            prepared,
+            time: document.time,
+            tracked,
+            size,
+            keeps_height,
+            look,
+            outline,
+        }
     }
 
-    pub(in crate::app) fn is_of(&self, document: &Document, size: [u32; 2]) -> bool {
+    pub(in crate::app) fn is_of(&self, document: &Document, size: [u32; 2], keeps_height: bool) -> bool {
         self.settings.is_same(&document.settings)
             && self.prepared == document.prepared
-            && (self.time, self.size) == (document.time, size)
+            && (self.time, self.size, self.keeps_height) == (document.time, size, keeps_height)
             && self.tracked == document.points.selected().track
     }
 }
@@ -63,6 +80,7 @@ impl Frame {
     pub(in crate::app) fn before_the_first(settings: &Settings) -> Self {
         Self {
             picture_size: settings.picture.size.0,
+            keeps_height: false,
             cm_per_pixel: settings.screen.cm_per_point(None),
             choices: Vec::new(),
             shows_map: false,
@@ -73,6 +91,9 @@ impl Frame {
     }
 
     pub(in crate::app) fn looked(&self, document: &Document) -> Option<&Looked> {
-        self.looks.iter().flatten().find(|looked| looked.is_of(document, self.picture_size))
+        self.looks
+            .iter()
+            .flatten()
+            .find(|looked| looked.is_of(document, self.picture_size, self.keeps_height))
     }
 }

@@ -1,5 +1,6 @@
 //! The lesson that is under way in the window, and its commands.
 
+use crate::app::state::stage::SidePanel;
 use crate::flags::choices::Layout;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::lesson::{Animated, Animation, Answer, Confidence, Course, Place, Score};
@@ -67,6 +68,8 @@ pub(in crate::app) struct LessonSettings {
     pub place: Place,
     pub base: Settings,
     pub settings: Settings,
+    /// The panel beside the picture for an audience in any phase of the step.
+    pub panel: SidePanel,
 }
 
 /// An animation that runs.

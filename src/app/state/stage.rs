@@ -14,6 +14,30 @@ pub enum WindowPart {
     Plots,
 }
 
+/// The panel beside the picture for an audience, the widest last.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SidePanel {
+    /// Nothing: the picture has all the width.
+    Nothing,
+    /// A single plot.
+    Plot,
+    /// The map.
+    Map,
+    /// The fit: readings, residuals and a table.
+    Fit,
+}
+
+/// The choices of a presenter for the audience.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Audience {
+    /// Whether it has both eyes' pictures, where one alone could stand for them.
+    pub both_eyes: bool,
+    /// The panel beside the picture, if one was chosen: else what a preset or the step of a lesson is about.
+    pub panel: Option<SidePanel>,
+    /// Whether it is told the moment in words in place of a caption.
+    pub tells_moment: bool,
+}
+
 /// The temporary modes of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stage {
@@ -25,6 +49,8 @@ pub struct Stage {
     pub projector: bool,
     /// Whether the window is the screen of a stereoscope.
     pub stereoscope: bool,
+    /// The choices of a presenter for the audience.
+    pub audience: Audience,
     /// While it is presented: whether it had the whole screen before.
     before: Option<bool>,
 }
@@ -33,7 +59,14 @@ impl Stage {
     /// Returns the stage of a window that is presented from the start.
     #[must_use]
     pub const fn presented() -> Self {
-        Self { full_screen: true, maximised: None, projector: false, stereoscope: false, before: Some(false) }
+        Self {
+            full_screen: true,
+            maximised: None,
+            projector: false,
+            stereoscope: false,
+            audience: Audience { both_eyes: false, panel: None, tells_moment: false },
+            before: Some(false),
+        }
     }
 
     /// Whether the window is shown to an audience: large writing, and no controls.

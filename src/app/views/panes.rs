@@ -28,8 +28,23 @@ pub enum PaneContent {
 pub struct Pane {
     /// Contents of the pane.
     pub content: PaneContent,
-    /// Place of the pane; its title is above.
+    /// Place of the picture.
     pub rect: Rect,
+    /// Height of the band below the picture, which has its ruler; 0 without one.
+    pub band: f32,
+    /// Place of the picture's name.
+    pub title: PaneTitle,
+}
+
+/// The place of a picture's name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PaneTitle {
+    /// In the strip above the picture.
+    Above,
+    /// In the band below the picture.
+    InBand,
+    /// A picture alone before an audience has no name, and no frame.
+    Nowhere,
 }
 
 /// The arrangement of the views' area.
@@ -42,9 +57,22 @@ pub struct Arrangement {
     corrected: bool,
     /// For free viewing, how far apart the middles of pictures are at most, points.
     apart: f32,
-    /// Height of titles, points.
+    /// Height of titles, points; 0 before an audience.
     title: f32,
+    /// Height of the band below a picture, points; 0 where the pictures have no ruler.
+    band: f32,
+    /// Magnification of text.
+    scale: f32,
 }
+
+/// Heights of the band below a picture where text has its default size, points: in the window, and before an
+/// audience, where it has one row of ticks alone.
+const BAND: f32 = 30.0;
+const BAND_FOR_AUDIENCE: f32 = 18.0;
+/// Pictures less high than this, with their bands, do without, unless they are narrow.
+const LEAST_WITH_BAND: f32 = 220.0;
+/// Height of a narrow picture above its band at least, in widths.
+const LEAST_ABOVE_BAND: f32 = 0.74;
 
 impl Arrangement {
     /// Returns the arrangement of `settings`, where a point of the window has this size on the screen (above
@@ -54,7 +82,32 @@ impl Arrangement {
         let Settings { picture, window, screen, .. } = settings;
         let apart = (0.1 * screen.picture_distance / cm_per_point) as f32;
         let (is_comparing, title) = (settings.is_comparing(), scale * TITLE_HEIGHT);
-        Self { picture: *picture, is_comparing, corrected: window.corrected, apart, title }
+        let band = if settings.has_ruler() { scale * BAND } else { 0.0 };
+        Self { picture: *picture, is_comparing, corrected: window.corrected, apart, title, band, scale }
+    }
+
+    /// Returns the arrangement before an audience: the names of several pictures stand in the bands below
+    /// them, and unless it has both eyes, the left one's picture stands for two that are apart.
+    #[must_use]
+    pub fn for_audience(self, has_both: bool) -> Self {
+        let mut picture = self.picture;
+        if picture.layout.shows_two_apart() && !has_both && !self.is_comparing {
+            picture.layout = Layout::Left;
+        }
+        let without = Self { picture, title: 0.0, ..self };
+        let has_band = self.band > 0.0 || !without.is_alone();
+        Self { band: if has_band { self.scale * BAND_FOR_AUDIENCE } else { 0.0 }, ..without }
+    }
+
+    /// Whether there is a single picture.
+    fn is_alone(&self) -> bool {
+        !self.corrected && !matches!(self.picture.layout.form(), Form::Beside | Form::Above)
+    }
+
+    /// Returns the height of the band below a picture.
+    #[must_use]
+    pub const fn band(&self) -> f32 {
+        self.band
     }
 
     /// Returns this arrangement without the corrected picture.
@@ -70,32 +123,38 @@ impl Arrangement {
         let of_eyes = if form == Form::Beside { 2.0 } else { 1.0 };
         let columns = if self.corrected { of_eyes + 1.0 } else { of_eyes };
         let width = ((area.width() - GAP * (columns - 1.0)) / columns).max(1.0);
+        let is_narrow = area.height() - self.title - self.band >= LEAST_ABOVE_BAND * width;
+        let has_band = is_narrow || area.height() >= self.scale * LEAST_WITH_BAND;
+        let band = if has_band { self.band } else { 0.0 };
         let column = |number: f32, width: f32| {
             let x = area.min.x + number * (width + GAP);
-            self.below_title(Rect::from_min_max(pos2(x, area.min.y), pos2(x + width, area.max.y)))
+            let bottom = (area.max.y - band).max(area.min.y);
+            self.below_title(Rect::from_min_max(pos2(x, area.min.y), pos2(x + width, bottom)))
         };
+        let title = match self.title {
+            0.0 if self.is_alone() => PaneTitle::Nowhere,
+            0.0 => PaneTitle::InBand,
+            _ => PaneTitle::Above,
+        };
+        let pane = |content, rect| Pane { content, rect, band, title };
         let [first, second] = self.contents();
         let mut panes = match form {
-            Form::One(_) => vec![Pane { content: first, rect: column(0.0, width) }],
+            Form::One(_) => vec![pane(first, column(0.0, width))],
             Form::Beside => {
                 let [left, right] = self.beside(column(0.0, width), column(1.0, width));
-                vec![Pane { content: first, rect: left }, Pane { content: second, rect: right }]
+                vec![pane(first, left), pane(second, right)]
             }
             Form::Above => {
                 let whole = column(0.0, width).with_min_y(area.min.y);
                 let middle = whole.center().y;
                 let (upper, lower) = (whole.with_max_y(middle), self.below_title(whole.with_min_y(middle)));
-                vec![
-                    Pane { content: first, rect: self.below_title(upper) },
-                    Pane { content: second, rect: lower },
-                ]
+                // Both have the same columns, and one ruler.
+                vec![Pane { band: 0.0, ..pane(first, self.below_title(upper)) }, pane(second, lower)]
             }
-            Form::Composed(_) | Form::InTurn => {
-                vec![Pane { content: PaneContent::Both, rect: column(0.0, width) }]
-            }
+            Form::Composed(_) | Form::InTurn => vec![pane(PaneContent::Both, column(0.0, width))],
         };
         if self.corrected {
-            panes.push(Pane { content: PaneContent::Corrected, rect: column(columns - 1.0, width) });
+            panes.push(pane(PaneContent::Corrected, column(columns - 1.0, width)));
         }
         panes
     }
@@ -105,7 +164,7 @@ impl Arrangement {
     #[must_use]
     pub fn whole_screen(&self, area: Rect) -> Option<Vec<Pane>> {
         let halves = [Layout::HalfSideBySide, Layout::HalfOverUnder];
-        let whole = Self { corrected: false, title: 0.0, ..*self };
+        let whole = Self { corrected: false, title: 0.0, band: 0.0, ..*self };
         halves.contains(&self.picture.layout).then(|| whole.panes(area))
     }
 
@@ -160,6 +219,10 @@ pub struct EyePane {
     pub size: [u32; 2],
     /// Whether the other eye's picture is in the same place.
     pub is_shared: bool,
+    /// Height of the band below the picture; 0 without one.
+    pub band: f32,
+    /// Place of the picture's name.
+    pub title: PaneTitle,
 }
 
 impl EyePane {
@@ -170,7 +233,20 @@ impl EyePane {
         let (min, max) = (snapped(rect.min), snapped(rect.max));
         let size = [max.x - min.x, max.y - min.y].map(|side| (side as u32).clamp(1, largest));
         let rect = Rect::from_min_max((min / pixels_per_point).to_pos2(), (max / pixels_per_point).to_pos2());
-        Self { eye, is_second: false, rect, size, is_shared: false }
+        Self { eye, is_second: false, rect, size, is_shared: false, band: 0.0, title: PaneTitle::Above }
+    }
+
+    /// Returns the pane with what stands above and below the picture of `pane`, which it lies in.
+    #[must_use]
+    pub fn of(self, pane: &Pane) -> Self {
+        let is_lowest = (self.rect.max.y - pane.rect.max.y).abs() < 2.0;
+        Self { band: if is_lowest { pane.band } else { 0.0 }, title: pane.title, ..self }
+    }
+
+    /// Returns the place of the band below the picture.
+    #[must_use]
+    pub fn band_rect(&self) -> Rect {
+        Rect::from_min_size(self.rect.left_bottom(), vec2(self.rect.width(), self.band))
     }
 
     /// The place of the second picture of one eye in `rect`.
@@ -201,7 +277,7 @@ impl EyePane {
             let corner = whole.rect.min + (shown - part) * number;
             number += 1.0;
             let rect = if is_shared { whole.rect } else { Rect::from_min_size(corner, part) };
-            Self { eye: Eye::BOTH[picture.eyes()[place]], is_second: false, rect, size, is_shared }
+            Self { eye: Eye::BOTH[picture.eyes()[place]], rect, size, is_shared, ..whole }
         })
     }
 
@@ -243,7 +319,8 @@ mod tests {
 
     fn arrangement(layout: Layout, corrected: bool) -> Arrangement {
         let picture = PictureSettings { layout, ..PictureSettings::default() };
-        Arrangement { picture, is_comparing: false, corrected, apart: 227.0, title: TITLE_HEIGHT }
+        let (title, band, scale) = (TITLE_HEIGHT, BAND, 1.0);
+        Arrangement { picture, is_comparing: false, corrected, apart: 227.0, title, band, scale }
     }
 
     #[test]
@@ -262,8 +339,8 @@ mod tests {
                         }
                     }
                 }
-                let covered: f32 =
-                    arrangement(layout, corrected).panes(AREA).iter().map(|pane| pane.rect.area()).sum();
+                let with_band = |pane: &Pane| pane.rect.area() + pane.band * pane.rect.width();
+                let covered: f32 = arrangement(layout, corrected).panes(AREA).iter().map(with_band).sum();
                 let is_narrow = layout == Layout::FreeViewing;
                 assert!(is_narrow || covered > 0.85 * AREA.area(), "{layout:?}: {covered}");
             }
@@ -300,7 +377,8 @@ mod tests {
         for &layout in Layout::value_variants() {
             let is_half = matches!(layout, Layout::HalfSideBySide | Layout::HalfOverUnder);
             let panes = arrangement(layout, true).whole_screen(screen);
-            let expected = vec![Pane { content: PaneContent::Both, rect: screen }];
+            let (content, title) = (PaneContent::Both, PaneTitle::Nowhere);
+            let expected = vec![Pane { content, rect: screen, band: 0.0, title }];
             assert_eq!(panes, is_half.then_some(expected), "{layout:?}");
         }
     }
@@ -322,7 +400,7 @@ mod tests {
 
     #[test]
     fn halves_have_as_many_pixels_each_and_map_them_per_axis() {
-        for (layout, size) in [(Layout::HalfSideBySide, [932, 352]), (Layout::HalfOverUnder, [932, 352])] {
+        for (layout, size) in [(Layout::HalfSideBySide, [932, 322]), (Layout::HalfOverUnder, [932, 322])] {
             let picture = PictureSettings { layout, ..PictureSettings::default() };
             let [pane] = arrangement(layout, false).panes(AREA).try_into().expect("one");
             let [first, second] = EyePane::both(&picture, pane.rect, 1.0, 8192);

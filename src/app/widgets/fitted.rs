@@ -3,11 +3,14 @@
 use std::hash::Hash;
 
 use eframe::egui::{ScrollArea, Ui, UiBuilder};
+use relativity_core::math;
 
 use crate::app::widgets::theme;
 
 /// From one size that is tried to the next, points.
 const STEP: f32 = 0.25;
+/// Power of the factor by which the writing is too high that is tried: a half would fit a single long text.
+const LEAST_GAIN: f64 = 0.4;
 
 /// Shows `contents` in the rest of `ui`, most writing between the largest and the smallest of these `sizes`,
 /// points. They are tried anew when `key` changes, which tells what is shown: a larger text, another width.
@@ -27,8 +30,9 @@ pub fn show(ui: &mut Ui, key: impl Hash, sizes: [f32; 2], contents: impl FnOnce(
         let [needs, has] = [shown.content_size.y, shown.inner_rect.height()];
         height = needs;
         if needs > has + 0.5 && size > smallest {
-            // Lines become fewer as they become lower.
-            let fitting = ((has / needs).sqrt() * size / STEP).floor() * STEP;
+            // Lines become fewer as they become lower, and more so than that where they break elsewhere.
+            let factor = math::powf(f64::from(has / needs), LEAST_GAIN) as f32;
+            let fitting = (factor * size / STEP).floor() * STEP;
             next = fitting.min(size - STEP).max(smallest);
             ui.ctx().request_discard("the writing is too large");
             ui.ctx().request_repaint();

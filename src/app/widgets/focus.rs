@@ -4,13 +4,14 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Memory, StrokeKind};
 
 use crate::app::widgets::theme;
 
-/// Whether what is focused takes the `keys` for itself: a field all that can be typed and what edits it, any
-/// other widget what presses and moves it.
+/// Whether what is focused takes the `keys` for itself: a field all that can be typed and what edits it, but
+/// not the keys that go on and back, any other widget what presses and moves it.
 pub fn takes(ctx: &Context, keys: KeyboardShortcut) -> bool {
     let KeyboardShortcut { modifiers, logical_key: key } = keys;
     if ctx.text_edit_focused() {
         let edits = matches!(key, Key::A | Key::C | Key::V | Key::X | Key::Y | Key::Z);
-        let is_apart = key.name().starts_with('F') && key.name().len() > 1;
+        let is_function = key.name().starts_with('F') && key.name().len() > 1;
+        let is_apart = is_function || matches!(key, Key::PageUp | Key::PageDown);
         return if modifiers.command { edits } else { !is_apart };
     }
     let moves = matches!(

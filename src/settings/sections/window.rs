@@ -85,8 +85,7 @@ pub struct WindowSettings {
     /// At each followed point in the views, how far away the eye sees it: where it was when its light left.
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub distances: OnOff,
-    /// Ruler of rapidity along the lower edge of conformal views, and above it the colours that a body passes
-    /// through.
+    /// Ruler of rapidity below conformal views, and above its ticks the colours that a body passes through.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub ruler: OnOff,
     /// In conformal views, the outline of what moves where it would be seen if it were at rest. Motion slides

@@ -331,6 +331,8 @@ impl User<'_> {
             Key::Num4,
             Key::F,
             Key::N,
+            Key::B,
+            Key::J,
             Key::Plus,
             Key::Minus,
             Key::L,

@@ -2,6 +2,7 @@
 
 use eframe::egui::{Context, Event, InputState, Key};
 
+use crate::app::commands::choice_keys;
 use crate::app::commands::{Command, GazeCommand, LOOK_STEP};
 use crate::app::state::State;
 use crate::app::state::riding::saddle::PushDirection;
@@ -44,7 +45,12 @@ pub fn held(ctx: &Context, state: &State) -> Option<PushDirection> {
     if !state.document.settings.ride.is_on() || ctx.egui_wants_keyboard_input() {
         return None;
     }
-    ctx.input(|input| if input.modifiers.any() { None } else { pedalled(input).or_else(|| walked(input)) })
+    let is_free = |key: Key| !choice_keys::takes(state, key);
+    ctx.input(
+        |input| {
+            if input.modifiers.any() { None } else { pedalled(input).or_else(|| walked(input, is_free)) }
+        },
+    )
 }
 
 /// The one pedal that is pushed.
@@ -53,9 +59,9 @@ fn pedalled(input: &InputState) -> Option<PushDirection> {
     held.next().map(|(_, direction)| *direction).filter(|_| held.next().is_none())
 }
 
-/// The direction in which the keys that walk push together.
-fn walked(input: &InputState) -> Option<PushDirection> {
-    let held = WALKS.iter().filter(|(key, _)| input.key_down(*key)).map(|(_, push)| push);
+/// The direction in which the keys that walk push together, those that are free for it.
+fn walked(input: &InputState, is_free: impl Fn(Key) -> bool) -> Option<PushDirection> {
+    let held = WALKS.iter().filter(|(key, _)| input.key_down(*key) && is_free(*key)).map(|(_, push)| push);
     let [right, ahead] = held.fold([0, 0], |[right, ahead], [x, y]| [right + x, ahead + y]);
     match ([right, ahead], right.signum()) {
         ([0, 0], _) => None,

@@ -2,10 +2,11 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Align2, Color32, FontId, Frame, Layout, Margin, Response, RichText, Sense, Stroke, TextStyle, Ui,
-    UiBuilder, WidgetInfo, vec2,
+    Align, Align2, Color32, FontId, Frame, Layout, Margin, Rect, Response, RichText, Sense, Stroke,
+    StrokeKind, TextStyle, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
+use crate::app::commands::choice_keys::letter_of;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
 use crate::app::widgets::theme;
@@ -24,8 +25,8 @@ const INSIDE: Margin = Margin::symmetric(9, 6);
 pub enum Sign {
     /// A ring, filled if it is chosen.
     Ring(bool),
-    /// The letter of the choice with this number, from 0, and whether it is chosen: an audience holds up
-    /// cards.
+    /// The letter of the choice with this number, from 0, and whether it is chosen: its key answers, and an
+    /// audience holds up cards.
     Letter(usize, bool),
     /// A tick: it is so.
     Right,
@@ -33,9 +34,51 @@ pub enum Sign {
     Nothing,
 }
 
-/// The card of the choice with this number, from 0; it has a letter if it is `presented` to an audience.
-pub fn choice(ui: &mut Ui, text: &Text, number: usize, is_chosen: bool, presented: bool) -> Response {
-    let sign = if presented { Sign::Letter(number, is_chosen) } else { Sign::Ring(is_chosen) };
+/// The room for cards.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Room {
+    /// The panel, which is high: they stand one below the other.
+    Panel,
+    /// Below the picture before an audience: they stand beside each other, as far as each has some width.
+    Audience,
+}
+
+/// Least width of a card beside others, in heights of the writing.
+const LEAST_BESIDE: f32 = 7.0;
+
+/// Shows something for each of these `texts`.
+pub fn each(ui: &mut Ui, room: Room, texts: &[Text], mut show: impl FnMut(&mut Ui, usize, &Text)) {
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    let (has_width, count) = (ui.available_width() >= LEAST_BESIDE * size * texts.len() as f32, texts.len());
+    if room == Room::Audience && has_width && count > 1 {
+        ui.columns(count, |columns| {
+            for (number, (ui, text)) in columns.iter_mut().zip(texts).enumerate() {
+                show(ui, number, text);
+            }
+        });
+    } else {
+        texts.iter().enumerate().for_each(|(number, text)| show(ui, number, text));
+    }
+}
+
+/// Says which keys choose among so many choices.
+pub fn say_keys(ui: &mut Ui, count: usize) {
+    quiet(ui, &format!("Press {}.", keys_text(count)));
+}
+
+/// The letters of so many choices, in words.
+fn keys_text(count: usize) -> String {
+    let letters: Vec<&str> = (0..count).map(letter_of).collect();
+    match letters.as_slice() {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [others @ .., last] => format!("{} or {last}", others.join(", ")),
+    }
+}
+
+/// The card of the choice with this number, from 0, which its letter chooses, too.
+pub fn choice(ui: &mut Ui, text: &Text, number: usize, is_chosen: bool) -> Response {
+    let sign = Sign::Letter(number, is_chosen);
     let name = markdown::said(ui, &text.markdown);
     let builder = UiBuilder::new().id_salt(("choice", text.line, &name)).sense(Sense::click());
     let response = ui
@@ -88,7 +131,7 @@ pub fn text_behind(ui: &mut Ui, text: &Text, sign: Sign) {
             let part = if matches!(sign, Sign::Letter(..)) { LETTER } else { 1.0 };
             let (rect, response) = ui.allocate_exact_size(vec2(part * size, 1.3 * size), Sense::hover());
             if let Sign::Letter(number, _) = sign {
-                response.widget_info(|| WidgetInfo::labeled(Role::Label, true, letter(number)));
+                response.widget_info(|| WidgetInfo::labeled(Role::Label, true, letter_of(number)));
             }
             paint(ui, sign, rect.center(), 0.42 * part * size);
         }
@@ -98,12 +141,6 @@ pub fn text_behind(ui: &mut Ui, text: &Text, sign: Sign) {
 
 /// Size of a letter with its ring, relative to other signs.
 const LETTER: f32 = 1.4;
-
-/// The letter of the choice with this number, from 0.
-fn letter(number: usize) -> String {
-    let letter = u8::try_from(number).ok().and_then(|number| b'A'.checked_add(number));
-    letter.map_or_else(String::new, |letter| char::from(letter).to_string())
-}
 
 fn paint(ui: &Ui, sign: Sign, centre: eframe::egui::Pos2, radius: f32) {
     let painter = ui.painter();
@@ -117,9 +154,13 @@ fn paint(ui: &Ui, sign: Sign, centre: eframe::egui::Pos2, radius: f32) {
             } else {
                 [visuals.widgets.inactive.weak_bg_fill, visuals.strong_text_color()]
             };
-            painter.circle(centre, radius, fill, Stroke::new(1.3, visuals.weak_text_color()));
+            // As a key of a keyboard.
+            let cap = Rect::from_center_size(centre, 1.9 * vec2(radius, radius));
+            let (corner, edge) = (0.3 * radius, visuals.weak_text_color());
+            painter.rect_filled(cap.translate(vec2(0.0, 0.16 * radius)), corner, edge);
+            painter.rect(cap, corner, fill, Stroke::new(1.0, edge), StrokeKind::Inside);
             let font = FontId::proportional(1.3 * radius);
-            painter.text(centre, Align2::CENTER_CENTER, letter(number), font, ink);
+            painter.text(centre, Align2::CENTER_CENTER, letter_of(number), font, ink);
         }
         Sign::Ring(is_chosen) => {
             let visuals = ui.visuals();

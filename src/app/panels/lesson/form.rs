@@ -4,7 +4,7 @@
 use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle, Ui, vec2};
 
 use super::asked::ask;
-use super::cards;
+use super::cards::{self, Room};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
@@ -15,11 +15,19 @@ use crate::lesson::{Answer, AnswerKind, Confidence, Course, Number, Options, Pre
 use crate::number_text;
 
 /// Shows the form of `prediction`.
-pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, commands: &mut Commands) {
+pub fn show(
+    ui: &mut Ui,
+    state: &State,
+    room: Room,
+    (course, prediction): (&Course, &Prediction),
+    commands: &mut Commands,
+) {
     match &prediction.kind {
-        AnswerKind::Choice(options) if course.counts_hands() => votes(ui, state, course, options, commands),
-        AnswerKind::Choice(options) => choices(ui, state, course, options, commands),
+        AnswerKind::Choice(options) if course.counts_hands() => votes(ui, room, course, options, commands),
+        AnswerKind::Choice(options) => choices(ui, room, course, options, commands),
         AnswerKind::Number(asked) => number(ui, course, asked, commands),
+        // Before an audience the question says it, and the plot.
+        AnswerKind::Point(_) | AnswerKind::Curve(_) if room == Room::Audience && course.draft.is_none() => {}
         AnswerKind::Point(_) | AnswerKind::Curve(_) => hint(ui, state, course),
     }
 }
@@ -29,20 +37,20 @@ fn draft(commands: &mut Commands, answer: Option<Answer>) {
 }
 
 /// The choices, one of which can be taken.
-pub fn choices(ui: &mut Ui, state: &State, course: &Course, options: &Options, commands: &mut Commands) {
-    for (number, text) in options.texts.iter().enumerate() {
+fn choices(ui: &mut Ui, room: Room, course: &Course, options: &Options, commands: &mut Commands) {
+    cards::each(ui, room, &options.texts, |ui, number, text| {
         let is_chosen = course.draft == Some(Answer::Choice(number));
-        if cards::choice(ui, text, number, is_chosen, state.session.stage.has_audience()).clicked() {
+        if cards::choice(ui, text, number, is_chosen).clicked() {
             draft(commands, Some(Answer::Choice(number)));
         }
-    }
+    });
 }
 
 /// Shows the choices, each with the number of hands raised for it.
-pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, commands: &mut Commands) {
+fn votes(ui: &mut Ui, room: Room, course: &Course, options: &Options, commands: &mut Commands) {
     let votes = course.votes(options.texts.len());
     let side = 1.6 * TextStyle::Body.resolve(ui.style()).size;
-    for (number, text) in options.texts.iter().enumerate() {
+    cards::each(ui, room, &options.texts, |ui, number, text| {
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
             let name = markdown::said(ui, &text.markdown);
@@ -67,12 +75,10 @@ pub fn votes(ui: &mut Ui, state: &State, course: &Course, options: &Options, com
             ui.add_space(6.0);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.add_space(2.0);
-                let has_audience = state.session.stage.has_audience();
-                let letter = cards::Sign::Letter(number, false);
-                cards::text_behind(ui, text, if has_audience { letter } else { cards::Sign::Nothing });
+                cards::text_behind(ui, text, cards::Sign::Letter(number, false));
             });
         });
-    }
+    });
 }
 
 /// Largest number of votes for one choice.
@@ -115,6 +121,9 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, commands: &mut Comma
         // On light paper its ground alone does not show it.
         ui.visuals_mut().widgets.inactive.bg_stroke = ui.visuals().widgets.noninteractive.bg_stroke;
         let response = ui.add(field.margin(vec2(8.0, 5.0))).accessible_name("Predicted number");
+        if is_newly_shown(ui, id) {
+            response.request_focus();
+        }
         if !asked.unit.is_empty() {
             ui.label(&asked.unit);
         }
@@ -131,6 +140,14 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, commands: &mut Comma
     if let Some(remark) = ui.data(|data| data.get_temp::<String>(id)).and_then(|text| remark(&text)) {
         ui.colored_label(ui.visuals().error_fg_color, remark);
     }
+}
+
+/// Whether what has this `id` was not shown in the pass before.
+fn is_newly_shown(ui: &Ui, id: Id) -> bool {
+    let (id, now) = (id.with("shown in pass"), ui.ctx().cumulative_pass_nr());
+    let before: Option<u64> = ui.data(|data| data.get_temp(id));
+    ui.data_mut(|data| data.insert_temp(id, now));
+    before.is_none_or(|before| before + 1 < now)
 }
 
 /// Returns the problem with a number that is typed, and its correction.

@@ -3,22 +3,26 @@
 use eframe::egui::{RichText, Ui};
 
 use super::asked::ask;
-use super::cards;
+use super::cards::{self, Room};
 use crate::app::panels::Commands;
-use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
-use crate::lesson::{Choices, Course, Record};
+use crate::lesson::{Choices, Course, Record, Text};
 
 /// Shows the question, and what is to say to its answer.
-pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, commands: &mut Commands) {
+pub fn show(ui: &mut Ui, room: Room, course: &Course, asked: &Choices, commands: &mut Commands) {
     cards::question(ui, &asked.question);
-    let is_presented = state.session.stage.is_presented();
     let observed = course.record().and_then(|record: &Record| record.observed);
-    for (number, text) in asked.options.texts.iter().enumerate() {
+    let mut card = |ui: &mut Ui, number: usize, text: &Text| {
         let is_chosen = observed == Some(number);
-        if cards::choice(ui, text, number, is_chosen, state.session.stage.has_audience()).clicked() {
+        if cards::choice(ui, text, number, is_chosen).clicked() {
             ask(commands, LessonCommand::Observe(number));
         }
+    };
+    let texts = &asked.options.texts;
+    match observed.and_then(|chosen| Some((chosen, texts.get(chosen)?))) {
+        // The truth stands beside it, and the words are to stay large.
+        Some((chosen, text)) if room == Room::Audience => card(ui, chosen, text),
+        _ => cards::each(ui, room, texts, card),
     }
     match observed {
         Some(observed) if observed == asked.options.right => {
@@ -27,7 +31,7 @@ pub fn show(ui: &mut Ui, state: &State, course: &Course, asked: &Choices, comman
         Some(_) => {
             ui.label("Something else happened. It is easily missed: look again.");
             // Before an audience the key that goes back does it.
-            if !is_presented
+            if room == Room::Panel
                 && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()
             {
                 ask(commands, LessonCommand::SetUp);

@@ -2,12 +2,13 @@
 
 use eframe::egui::{RichText, Ui};
 
-use super::{cards, end, form, observed, shown};
+use super::cards::{self, Room};
+use super::{end, form, observed, shown};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::lesson::Running;
 use crate::app::widgets::markdown;
-use crate::lesson::{Course, Phase, Step, Text};
+use crate::lesson::{AnswerKind, Course, Phase, Step, Text};
 
 /// Shows the page of the present place.
 pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Commands) {
@@ -30,7 +31,12 @@ fn asked(ui: &mut Ui, state: &State, course: &Course, step: &Step, commands: &mu
     let Some(prediction) = &step.prediction else { return };
     apart(ui, !step.text.is_empty());
     cards::question(ui, &prediction.question);
-    form::show(ui, state, course, prediction, commands);
+    form::show(ui, state, Room::Panel, (course, prediction), commands);
+    if let AnswerKind::Choice(options) = &prediction.kind
+        && !course.counts_hands()
+    {
+        cards::say_keys(ui, options.texts.len());
+    }
     form::confidence(ui, course, commands);
     if course.is_answered() {
         cards::quiet(ui, "This is what you said. You can change it.");
@@ -48,12 +54,12 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands
     // What was seen comes first: with the truth beside it, that question would only be copied from.
     if let Some(observation) = &step.observation {
         apart(ui, has_text);
-        observed::show(ui, state, &running.course, observation, commands);
+        observed::show(ui, Room::Panel, &running.course, observation, commands);
     }
     if let Some(prediction) = step.prediction.as_ref().filter(|_| running.course.shows_truth()) {
         apart(ui, step.observation.is_some() || has_text);
         cards::question(ui, &prediction.question);
-        shown::compared(ui, state, step, &running.course);
+        shown::compared(ui, state, Room::Panel, step, &running.course);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align, Layout, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
-use super::cards::{self, Sign};
+use super::cards::{self, Room, Sign};
 use crate::app::state::State;
 use crate::app::widgets::theme;
 use crate::app::widgets::{markdown, named_text};
@@ -34,16 +34,17 @@ pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
 }
 
 /// Shows the prediction and the truth.
-pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
+pub fn compared(ui: &mut Ui, state: &State, room: Room, step: &Step, course: &Course) {
     match (kind(step), answer(course)) {
         (Some(AnswerKind::Choice(options)), Some(Answer::Votes(votes))) => {
             bars(ui, options, votes, Some(options.right));
         }
         (Some(AnswerKind::Choice(options)), Some(Answer::Choice(choice))) if *choice != options.right => {
-            cards::quiet(ui, "You said");
-            options.texts.get(*choice).into_iter().for_each(|text| cards::show(ui, text, false));
-            cards::quiet(ui, "It is");
-            cards::show(ui, &options.texts[options.right], true);
+            let said = options.texts.get(*choice).unwrap_or(&options.texts[options.right]).clone();
+            cards::each(ui, room, &[said, options.texts[options.right].clone()], |ui, number, text| {
+                cards::quiet(ui, ["You said", "It is"][number]);
+                cards::show(ui, text, number == 1);
+            });
         }
         (Some(AnswerKind::Choice(options)), answer) => {
             cards::quiet(ui, if answer.is_some() { "You said, rightly," } else { "It is" });

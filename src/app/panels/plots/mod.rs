@@ -32,6 +32,7 @@ use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::plots::curves::QuantityCurves;
 use crate::app::state::plots::look::quantities;
+use crate::app::tools::awake;
 use crate::app::widgets::theme;
 use crate::app::widgets::{explained_lazily, strip_button};
 use crate::quantity::Quantity;
@@ -190,7 +191,10 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &TimePlot<'_>, comm
     axes::name_cursors(ui, &response, &chart.cursors, &mut labels);
     legend::show(ui, &response, chart, &mut labels);
     describe(&response, state, quantity);
-    pointed::show(ui, &response, chart);
+    // Before an audience a pointer that rests may belong to what was shown before.
+    if !state.session.stage.is_presented() || awake::is_moved(ui.ctx()) {
+        pointed::show(ui, &response, chart);
+    }
     gestures::read(ui, state, &response, chart, commands);
 }
 

@@ -11,7 +11,7 @@ use crate::app::tools::awake;
 use crate::app::views::instruments;
 use crate::app::views::laid_ruler;
 use crate::app::views::offscreen_arrows;
-use crate::app::views::panes::EyePane;
+use crate::app::views::panes::{EyePane, PaneTitle};
 use crate::app::views::predicted_place;
 use crate::app::views::slide;
 
@@ -19,12 +19,15 @@ use crate::app::views::slide;
 /// the instruments there, which leave marked points in sight.
 pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
-    let ruler = slide::paint(ui, &inside, state, pane);
-    let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
-    let marked = marked(state, pane);
+    slide::paint_resting(ui, &inside, state, pane);
+    let is_before_audience = pane.title != PaneTitle::Above;
+    let marks_points = !is_before_audience || state.has_markers_for_audience();
+    let marked = if marks_points { marked(state, pane) } else { Vec::new() };
     let instruments = instruments::show(ui, &inside, state, pane, &marked);
     let places = instruments.places.clone();
-    let why_dark = unseen(ui, state, pane).unwrap_or_default();
+    // Before an audience what is to be said stands below the picture.
+    let note = if is_before_audience { String::new() } else { note };
+    let why_dark = unseen(ui, state, pane).filter(|_| !is_before_audience).unwrap_or_default();
     let mut faded = inside.clone();
     faded.set_opacity(notes_opacity(ui, pane, &[&note, &why_dark]));
     let notes = if places.is_empty() {
@@ -47,7 +50,7 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))
         .or_else(|| newcomers_hint(ui, state));
-    if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
+    if let Some(hint) = hint.filter(|_| pane.takes_the_mouse() && !is_before_audience) {
         let corner = free_corner(ui, &inside, pane, &hint, &covered, LOWER_CORNERS);
         let place = write(ui, &inside, pane, corner, hint.clone());
         let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());

@@ -14,8 +14,9 @@ use crate::app::views::highlight;
 use crate::app::views::hover;
 use crate::app::views::laid_ruler;
 use crate::app::views::layouts;
-use crate::app::views::panes::EyePane;
+use crate::app::views::panes::{EyePane, PaneTitle};
 use crate::app::views::predicted_place;
+use crate::app::views::slide;
 use crate::app::widgets::pane_title;
 use crate::app::widgets::theme;
 use crate::eye::Eye;
@@ -23,6 +24,7 @@ use captions::words;
 use markers::{Coat, markers};
 use notes::note;
 
+pub use notes::note_for_audience;
 pub use pointer::interact;
 
 /// The pictures painted in an eye's pane.
@@ -38,20 +40,25 @@ pub struct Painted {
 pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painted) {
     let Painted { picture, heat_map } = painted;
     let colour = theme::eye_colour(pane.eye, ui.visuals());
-    pane_title(ui, pane.rect, title, colour);
+    if pane.title == PaneTitle::Above {
+        pane_title(ui, pane.rect, title, colour);
+    }
+    slide::paint_band(ui, state, pane, title, colour);
     ui.painter().rect_filled(pane.rect, 0.0, ui.visuals().extreme_bg_color);
     for texture in picture.map(|picture| picture.texture).into_iter().chain(heat_map) {
         image(ui, pane.rect, texture);
     }
     state.scratch.comfort.paint(ui.painter(), pane.rect);
     let inside = ui.painter().with_clip_rect(pane.rect);
-    for coat in [Coat::Halo, Coat::Ring] {
-        markers(ui, &inside, state, pane, coat);
+    if pane.title == PaneTitle::Above || state.has_markers_for_audience() {
+        for coat in [Coat::Halo, Coat::Ring] {
+            markers(ui, &inside, state, pane, coat);
+        }
     }
     predicted_place::paint(ui, &inside, state, pane);
     laid_ruler::paint(ui, &inside, state, pane);
     words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
-    ui.painter().rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
+    frame(ui, pane.rect, pane.title, colour);
     hover(ui, state, pane);
     missed(ui, state, pane);
 }
@@ -80,7 +87,11 @@ pub fn paint_both(
 ) {
     let colour = ui.visuals().text_color();
     let rect = panes.iter().map(|pane| pane.rect).reduce(Rect::union).unwrap_or(Rect::NOTHING);
-    pane_title(ui, rect, &layouts::title(&state.document.settings.picture), colour);
+    let title = layouts::title(&state.document.settings.picture);
+    let place = panes.first().map_or(PaneTitle::Nowhere, |pane| pane.title);
+    if place == PaneTitle::Above {
+        pane_title(ui, rect, &title, colour);
+    }
     ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
     if let Some(ShownPicture { texture, .. }) = picture {
         image(ui, rect, texture);
@@ -92,7 +103,8 @@ pub fn paint_both(
         state.scratch.comfort.paint(ui.painter(), pane.rect);
     }
     // All halos first: markers that the eyes see in one place would hide each other.
-    for coat in [Coat::Halo, Coat::Ring] {
+    let has_markers = place == PaneTitle::Above || state.has_markers_for_audience();
+    for coat in [Coat::Halo, Coat::Ring].into_iter().filter(|_| has_markers) {
         for &pane in panes {
             markers(ui, &ui.painter().with_clip_rect(pane.rect), state, pane, coat);
         }
@@ -104,16 +116,24 @@ pub fn paint_both(
     }
     for (&pane, heat_map) in panes.iter().zip(heat_maps) {
         if pane.takes_the_mouse() || panes.len() == 1 {
+            slide::paint_band(ui, state, pane, &title, colour);
             words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
             missed(ui, state, pane);
         }
     }
-    ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
+    frame(ui, rect, place, colour);
     // Where both are in one place, the left eye tells what is under the pointer, as it takes the clicks.
     let told = |pane: &EyePane| if pane.is_shared { EyePane { eye: Eye::Left, ..*pane } } else { *pane };
     let pointed = panes.iter().find(|pane| hover::pointer(ui, state, pane.rect).is_some());
     if let Some(pane) = pointed.map(told) {
         hover(ui, state, pane);
+    }
+}
+
+/// Draws the frame of a picture whose name stands there.
+fn frame(ui: &Ui, rect: Rect, title: PaneTitle, colour: Color32) {
+    if title != PaneTitle::Nowhere {
+        ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
     }
 }
 

@@ -13,25 +13,42 @@ use crate::settings::LightSettings;
 
 /// Returns a note on the picture, where it is not what an eye would see, drawn exactly.
 pub fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_map: bool) -> String {
+    let [geometry, model, colour, street] = notes_on_light(state, eye);
+    let projection = projection_note(&state.view(eye, state.frame.picture_size).camera);
+    let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
+    let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
+    joined([readiness(state), geometry, model, projection, colour, street, method, heat_map])
+}
+
+/// Returns the notes on the picture in `pane` for an audience, which are not about how it was drawn.
+pub fn note_for_audience(ui: &Ui, state: &State, pane: EyePane) -> String {
+    let notes = [readiness(state)].into_iter().chain(notes_on_light(state, pane.eye));
+    joined(notes.chain([unseen(ui, state, pane)]))
+}
+
+/// Says while it is so that T waits for what draws the picture.
+fn readiness(state: &State) -> Option<String> {
+    state.frame.is_getting_ready.then(|| "getting ready".to_owned())
+}
+
+fn joined(notes: impl IntoIterator<Item = Option<String>>) -> String {
+    notes.into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
+}
+
+/// Notes on the geometry, the model, the bodies' light and the street's, where they are not what an eye would
+/// see.
+fn notes_on_light(state: &State, eye: Eye) -> [Option<String>; 4] {
     let geometry = match state.document.settings.geometry() {
         Geometry::Seen | Geometry::Published => None,
         Geometry::OneCone => Some("one light cone for both eyes".to_owned()),
         Geometry::Contracted => Some("contracted only".to_owned()),
         Geometry::Rest => Some("at rest".to_owned()),
     };
-    let projection = projection_note(&state.view(eye, state.frame.picture_size).camera);
     let model = state.sees_as_published(eye).then(|| "as published".to_owned());
     let colour =
         colour_note(&state.document.settings.light, state.document.settings.geometry()).map(str::to_owned);
-    let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
-    let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
     let street = street_note(state).map(str::to_owned);
-    let readiness = state.frame.is_getting_ready.then(|| "getting ready".to_owned());
-    [readiness, geometry, model, projection, colour, street, method, heat_map]
-        .into_iter()
-        .flatten()
-        .collect::<Vec<_>>()
-        .join("  ·  ")
+    [geometry, model, colour, street]
 }
 
 /// Names the light where it is not that of the bodies alone.

@@ -6,7 +6,7 @@ use relativity_render::Outline;
 
 use crate::app::state::State;
 use crate::app::state::document::Document;
-use crate::app::state::frame::Looked;
+use crate::app::state::frame::{Frame, Looked};
 use crate::app::state::shared::Shared;
 use crate::settings::{LookSettings, Settings};
 
@@ -14,13 +14,16 @@ impl State {
     /// Works out how the eyes look in this frame, unless that is known: questions about views then cost
     /// little.
     pub(in crate::app) fn note_looks(&mut self) {
-        let (document, size) = (&self.document, self.frame.picture_size);
-        if self.frame.looks[0].as_ref().is_some_and(|first| first.is_of(document, size)) {
+        let (document, size, keeps_height) =
+            (&self.document, self.frame.picture_size, self.frame.keeps_height);
+        if self.frame.looks[0].as_ref().is_some_and(|first| first.is_of(document, size, keeps_height)) {
             return;
         }
-        let first = Looked::new(document, &document.settings, size);
+        let first = Looked::new(document, &document.settings, size, keeps_height);
         let second = document.settings.second_of(self.subject(), &document.scene, document.time, size);
-        let second = second.map(|second| Looked::new(document, &second.into(), size));
+        // Its field of view is the first's, which may fit the size already.
+        let is_set = document.settings.look.set_fov().is_some();
+        let second = second.map(|second| Looked::new(document, &second.into(), size, keeps_height && is_set));
         self.frame.looks = [Some(first), second];
     }
 
@@ -36,7 +39,8 @@ impl State {
     pub fn look(&self) -> LookSettings {
         let known = self.frame.looked(&self.document).map(|looked| looked.look);
         let Document { settings, time, .. } = &self.document;
-        known.unwrap_or_else(|| settings.fixed_look(self.subject(), *time, self.frame.picture_size))
+        let Frame { picture_size, keeps_height, .. } = self.frame;
+        known.unwrap_or_else(|| settings.shown_look(self.subject(), *time, picture_size, keeps_height))
     }
 
     /// The outline of all that moves, in both eyes together.
@@ -52,7 +56,7 @@ impl State {
     pub(in crate::app) fn second_settings(&self) -> Option<Shared<Settings>> {
         let (document, size) = (&self.document, self.frame.picture_size);
         if let [Some(first), second] = &self.frame.looks
-            && first.is_of(document, size)
+            && first.is_of(document, size, self.frame.keeps_height)
         {
             return second.as_ref().map(|second| second.settings.clone());
         }

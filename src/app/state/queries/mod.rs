@@ -1,5 +1,6 @@
 //! Questions about the window, each answered from the state alone.
 
+pub(in crate::app) mod audience;
 pub(in crate::app) mod compared;
 pub(in crate::app) mod drawn_curve;
 mod lesson;

@@ -246,7 +246,8 @@ impl State {
     /// The views that other `settings` would show now.
     fn views_of(&self, settings: &Settings, size: [u32; 2]) -> [View; 2] {
         let time = self.document.time;
-        let look = settings.fixed_look(self.subject(), time, self.frame.picture_size);
+        let Frame { picture_size, keeps_height, .. } = self.frame;
+        let look = settings.shown_look(self.subject(), time, picture_size, keeps_height);
         settings.views_with(&look, time, size)
     }
 

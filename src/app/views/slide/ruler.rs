@@ -1,8 +1,8 @@
-//! The rapidity ruler: ticks named by speed, as far to both sides of where things are seen abreast as that
-//! speed slides them.
+//! The ruler: ticks named by speed, as far to both sides of where things are seen abreast as that speed
+//! slides them; before an audience, by the Doppler factor of what passes there.
 
 use eframe::egui::{
-    self, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, accesskit::Role, pos2, vec2,
+    self, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, Visuals, accesskit::Role, pos2, vec2,
 };
 use relativity_core::math;
 
@@ -10,52 +10,68 @@ use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;
 use super::spectrum;
 use crate::app::state::State;
-use crate::app::views::panes::EyePane;
+use crate::app::views::panes::{EyePane, PaneTitle};
 use crate::number_text;
-use crate::plot::LabelPlaces;
+use crate::plot::{Axis, LabelPlaces};
 
-/// Lower views have none.
-pub const LEAST_VIEW: f32 = 110.0;
-/// Height of the ruler alone.
-const RULER: f32 = 18.0;
 const FONT_SIZE: f32 = 11.0;
 /// Least space between two names.
 const BETWEEN: f32 = 8.0;
-/// Ticks without a name, this much rapidity apart.
-const FINE: f64 = 0.1;
-/// Least distance of these, points.
+/// Least distance of ticks without a name, points.
 const LEAST_FINE: f64 = 5.0;
+/// Lengths of ticks with a name and without, points.
+const NAMED_LENGTH: f32 = 5.0;
+const FINE_LENGTH: f32 = 3.0;
 /// The speeds that have ticks, the first to be named first.
 const SPEEDS: [f64; 17] =
     [0.0, 0.9, 0.5, 0.99, 0.999, 0.9999, 0.7, 0.8, 0.3, 0.6, 0.95, 0.1, 0.2, 0.4, 0.98, 0.995, 0.99999];
+/// The name of what the speeds measure.
+const MEASURED: &str = "slid by";
 const TIP: &str = "Measures rapidity: a speed slides everything by that much, from where it would be seen \
     at rest to where it is seen. Zero is where things are seen abreast.\nη = artanh β\nThe colours are \
     those of a passing body's light in that column: they stand still while it passes.\n1/D = γ (1 + β tanh \
     u)";
 
-/// Draws it along the lower edge of `pane`, which has these `columns`, with the spectrum.
+/// A tick with a name.
+struct NamedTick {
+    u: f64,
+    text: String,
+    /// Whether it is that of the bodies' own speed.
+    is_own: bool,
+}
+
+/// Draws the ruler into the band below `pane`, which has these `columns`, with the spectrum; the `title` of
+/// the picture stands in it already.
 pub fn paint(
     ui: &Ui,
-    painter: &Painter,
     state: &State,
     pane: EyePane,
     slide: &SlidingView,
     columns: &PixelColumns,
+    title: Option<Rect>,
 ) {
-    let top = columns.rect.max.y - columns.scale * RULER;
-    let ruler = Rect::from_min_max(pos2(columns.rect.min.x, top), columns.rect.max);
-    painter.rect_filled(ruler, 0.0, Color32::from_black_alpha(190));
-    let strip = Rect::from_min_max(columns.rect.min, pos2(ruler.max.x, ruler.min.y));
-    spectrum::paint(painter, state, slide, columns, strip);
-    paint_fine_ticks(painter, ruler, columns);
-    let own = state.speed();
-    let named = paint_named_ticks(painter, ruler, columns, own.beta());
-    if own.rapidity() > 0.0 {
-        let x = columns.x(-own.rapidity());
-        let tip = pos2(x, strip.min.y - 1.0);
-        let corners = vec![tip, tip + vec2(-5.0, -7.0), tip + vec2(5.0, -7.0)];
-        painter.add(egui::Shape::convex_polygon(corners, Color32::WHITE, Stroke::new(1.0, Color32::BLACK)));
+    let band = columns.strip.union(columns.ticks);
+    let painter = ui.painter().with_clip_rect(band);
+    // A lesson measures by speeds, and so does whoever has the controls.
+    let is_in_window = pane.title == PaneTitle::Above;
+    let has_speeds = is_in_window || state.session.lesson.is_some();
+    spectrum::paint(&painter, state, slide, columns, is_in_window);
+    let mut labels = LabelPlaces::new(columns.ticks.expand2(vec2(0.0, columns.ticks.height())), BETWEEN);
+    if let Some(title) = title {
+        labels.keep_free(title);
     }
+    let ruler = Ruler { painter, columns, visuals: ui.visuals(), is_in_window };
+    let named = if has_speeds {
+        if is_in_window {
+            ruler.paint_fine_ticks();
+        }
+        if title.is_none() {
+            ruler.paint_measured(&mut labels);
+        }
+        ruler.paint_named(speed_ticks(state.speed().beta()), &mut labels)
+    } else {
+        ruler.paint_named(spectrum::named_factors(&state.speed()).map(factor_tick), &mut labels)
+    };
     let name = format!(
         "Rapidity ruler, {}: ticks at {}; {}",
         pane.eye.name(),
@@ -63,52 +79,97 @@ pub fn paint(
         spectrum::description(state)
     );
     let id = ui.scope_id().with(("rapidity ruler", pane.eye.index()));
-    let response = ui.interact(columns.rect, id, Sense::hover());
+    let response = ui.interact(band, id, Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &name));
     response.on_hover_text(TIP);
 }
 
-fn paint_fine_ticks(painter: &Painter, ruler: Rect, columns: &PixelColumns) {
-    if columns.per_unit.abs() * FINE < LEAST_FINE {
-        return;
-    }
-    let ends = [ruler.min.x, ruler.max.x].map(|x| columns.u(x) / FINE);
-    let (first, last) = (ends[0].min(ends[1]).ceil() as i64, ends[0].max(ends[1]).floor() as i64);
-    for number in first..=last {
-        let x = columns.x(number as f64 * FINE);
-        let top = ruler.min.y;
-        painter.vline(x, top..=top + 3.0, Stroke::new(1.0, Color32::from_gray(130)));
-    }
-}
-
-/// Draws the ticks of speeds with the names that have room, and returns these. The tick of `own` goes first.
-fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &PixelColumns, own: f64) -> Vec<String> {
-    let mut labels = LabelPlaces::new(ruler.expand2(vec2(0.0, RULER)), BETWEEN);
-    let mut named = Vec::new();
-    let speeds = [own].into_iter().chain(SPEEDS);
-    for (number, beta) in speeds.enumerate().filter(|(number, beta)| *number == 0 || *beta != own) {
-        for side in [-1.0, 1.0] {
-            let x = columns.x(side * math::atanh(beta));
-            if !ruler.x_range().contains(x) || (beta == 0.0 && side > 0.0) {
-                continue;
-            }
+/// The ticks of speeds, on both sides: the bodies' `own` first.
+fn speed_ticks(own: f64) -> impl Iterator<Item = NamedTick> {
+    let speeds = [own].into_iter().chain(SPEEDS.into_iter().filter(move |beta| *beta != own));
+    speeds.enumerate().flat_map(|(number, beta)| {
+        let sides: &[f64] = if beta == 0.0 { &[0.0] } else { &[-1.0, 1.0] };
+        sides.iter().map(move |side| {
             let text = if beta == 0.0 {
                 "abreast".to_owned()
             } else {
                 format!("{} c", number_text::trimmed(beta, 6))
             };
-            let is_own = number == 0 && side < 0.0;
-            let colour = if is_own { Color32::WHITE } else { Color32::from_gray(200) };
-            let galley =
-                painter.layout_no_wrap(text.clone(), FontId::proportional(columns.scale * FONT_SIZE), colour);
-            let place = Align2::CENTER_BOTTOM.anchor_size(pos2(x, ruler.max.y - 1.0), galley.size());
+            NamedTick { u: side * math::atanh(beta), text, is_own: number == 0 && *side < 0.0 }
+        })
+    })
+}
+
+fn factor_tick((factor, u): (f64, f64)) -> NamedTick {
+    NamedTick { u, text: spectrum::factor_text(factor), is_own: false }
+}
+
+/// What the ticks are drawn with, and where.
+struct Ruler<'a> {
+    painter: Painter,
+    columns: &'a PixelColumns,
+    visuals: &'a Visuals,
+    /// Whether there is room for ticks above their names; else they stand in the spectrum.
+    is_in_window: bool,
+}
+
+impl Ruler<'_> {
+    fn font(&self) -> FontId {
+        FontId::proportional(self.columns.scale * FONT_SIZE)
+    }
+
+    /// Ticks at round rapidities.
+    fn paint_fine_ticks(&self) {
+        let Self { painter, columns, visuals, .. } = self;
+        let ends = [columns.ticks.min.x, columns.ticks.max.x].map(|x| columns.u(x));
+        let range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let stroke = Stroke::new(1.0, visuals.weak_text_color().gamma_multiply(0.6));
+        let top = columns.ticks.min.y;
+        for tick in Axis::spaced(range, LEAST_FINE / columns.per_unit.abs()).ticks {
+            painter.vline(columns.x(tick.place), top..=top + FINE_LENGTH, stroke);
+        }
+    }
+
+    /// Says at the left end what the speeds measure.
+    fn paint_measured(&self, labels: &mut LabelPlaces) {
+        let Self { painter, columns, visuals, .. } = self;
+        let colour = visuals.weak_text_color();
+        let galley = painter.layout_no_wrap(MEASURED.to_owned(), self.font(), colour);
+        let place = Align2::LEFT_BOTTOM.anchor_size(columns.ticks.left_bottom(), galley.size());
+        if labels.take_free([place]).is_some() {
+            painter.galley(place.min, galley, colour);
+        }
+    }
+
+    /// Draws those of the `ticks` whose names have room, and returns these. A triangle marks the bodies' own.
+    fn paint_named(&self, ticks: impl Iterator<Item = NamedTick>, labels: &mut LabelPlaces) -> Vec<String> {
+        let Self { painter, columns, visuals, is_in_window } = self;
+        let room = columns.ticks;
+        let mut named = Vec::new();
+        for NamedTick { u, text, is_own } in ticks {
+            let x = columns.x(u);
+            if !room.x_range().contains(x) {
+                continue;
+            }
+            let colour = if is_own { visuals.strong_text_color() } else { visuals.weak_text_color() };
+            let galley = painter.layout_no_wrap(text.clone(), self.font(), colour);
+            let place = Align2::CENTER_BOTTOM.anchor_size(pos2(x, room.max.y), galley.size());
             if labels.take_free([place]).is_none() {
                 continue;
             }
-            painter.vline(x, ruler.min.y..=ruler.min.y + 6.0, Stroke::new(1.5, colour));
+            if !is_in_window {
+                painter.vline(x, columns.strip.y_range(), Stroke::new(2.0, Color32::WHITE));
+            } else if is_own {
+                let tip = pos2(x, room.min.y);
+                let corners = [vec2(4.0, NAMED_LENGTH), vec2(-4.0, NAMED_LENGTH)].map(|off| tip + off);
+                let triangle = [tip].into_iter().chain(corners).collect();
+                painter.add(egui::Shape::convex_polygon(triangle, colour, Stroke::NONE));
+            } else {
+                painter.vline(x, room.min.y..=room.min.y + NAMED_LENGTH, Stroke::new(1.5, colour));
+            }
             painter.galley(place.min, galley, colour);
             named.push(text);
         }
+        named
     }
-    named
 }

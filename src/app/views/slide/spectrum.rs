@@ -27,22 +27,29 @@ const BETWEEN: f32 = 6.0;
 /// The Doppler factors that are named where light is not of one wavelength.
 const NAMED: [f64; 7] = [1.0, 2.0, 0.5, 4.0, 0.25, 10.0, 0.1];
 
-/// Draws it into `strip`.
-pub fn paint(painter: &Painter, state: &State, slide: &SlidingView, columns: &PixelColumns, strip: Rect) {
+/// Draws it into its place among the `columns`; `with_names` has Doppler factors named in it where it shows no
+/// wavelengths.
+pub fn paint(
+    painter: &Painter,
+    state: &State,
+    slide: &SlidingView,
+    columns: &PixelColumns,
+    with_names: bool,
+) {
+    let strip = columns.strip;
     let speed = match slide.view.geometry {
         Geometry::Seen => state.speed(),
         _ => Speed::REST,
     };
     painter.rect_filled(strip, 0.0, INVISIBLE);
     match (is_false(state), rest_wavelength(state)) {
-        (true, _) => {
-            paint_false_colours(painter, columns, strip, |u| doppler_factor(&speed, u));
-            paint_factors(painter, columns, strip, &speed);
-        }
+        (true, _) => paint_false_colours(painter, columns, strip, |u| doppler_factor(&speed, u)),
         (false, Some(nm)) => paint_colours(painter, columns, strip, |u| nm / doppler_factor(&speed, u)),
-        (false, None) => paint_factors(painter, columns, strip, &speed),
+        (false, None) => {}
     }
-    painter.hline(strip.x_range(), strip.min.y, Stroke::new(1.0, Color32::from_black_alpha(200)));
+    if with_names && (is_false(state) || rest_wavelength(state).is_none()) {
+        paint_factors(painter, columns, strip, &speed);
+    }
 }
 
 /// The strip in words.
@@ -58,6 +65,17 @@ pub fn description(state: &State) -> String {
 fn is_false(state: &State) -> bool {
     let light = &state.document.settings.light;
     light.colour == Colour::False && light.doppler_shift
+}
+
+/// The Doppler factors that have names, and their columns at this `speed`, the first to be named first.
+pub fn named_factors(speed: &Speed) -> impl Iterator<Item = (f64, f64)> + use<> {
+    let speed = *speed;
+    NAMED.into_iter().filter_map(move |factor| Some((factor, column_of(&speed, factor)?)))
+}
+
+/// The name of a Doppler factor.
+pub fn factor_text(factor: f64) -> String {
+    format!("D = {}", number_text::trimmed(factor, 2))
 }
 
 /// The wavelength at rest of the selected point, if its light has one and that is shown.
@@ -121,10 +139,9 @@ fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: 
         return;
     }
     let mut labels = LabelPlaces::new(strip.expand2(vec2(0.0, strip.height())), BETWEEN);
-    for factor in NAMED {
-        let Some(x) = column_of(speed, factor).map(|u| columns.x(u)) else { continue };
-        let text = format!("D = {}", number_text::trimmed(factor, 2));
-        let galley = painter.layout_no_wrap(text, font.clone(), Color32::WHITE);
+    for (factor, u) in named_factors(speed) {
+        let x = columns.x(u);
+        let galley = painter.layout_no_wrap(factor_text(factor), font.clone(), Color32::WHITE);
         let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
         if labels.take_free([place]).is_some() {
             painter.vline(x, strip.y_range(), Stroke::new(1.5, Color32::WHITE));

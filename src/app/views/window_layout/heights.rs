@@ -96,7 +96,7 @@ fn pictures_height(arranged: &Arrangement, size: Vec2, window: f32, is_simple: b
 /// the sky only.
 pub(in crate::app) fn height_of_views(arranged: &Arrangement, size: Vec2) -> f32 {
     let panes = arranged.panes(Rect::from_min_size(Pos2::ZERO, size));
-    let bottoms = panes.iter().map(|pane| pane.rect.min.y + VIEW_ASPECT * pane.rect.width());
+    let bottoms = panes.iter().map(|pane| pane.rect.min.y + VIEW_ASPECT * pane.rect.width() + pane.band);
     bottoms.fold(0.0, f32::max) + GAP
 }
 

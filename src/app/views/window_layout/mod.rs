@@ -10,7 +10,7 @@ mod side;
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
 use self::heights::{Heights, LOWEST, StripNeeds, height_of_views};
-pub use self::presentation::{Beside, Presentation};
+pub use self::presentation::Presentation;
 use self::rects::{large_enough, split_left, split_right, split_top};
 use self::side::SideParts;
 use crate::app::state::stage::WindowPart;
@@ -200,7 +200,9 @@ impl WindowLayout {
         let speed = self.speed.map(|_| speed);
         let pane = |number: usize, rect: Rect| {
             let rect = rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y));
-            self.panes.get(number).map(|pane| Pane { rect, ..*pane })
+            self.panes
+                .get(number)
+                .map(|pane| Pane { rect: rect.with_max_y((rect.max.y - pane.band).max(rect.min.y)), ..*pane })
         };
         let alone = |rect: Rect| {
             let (panes, map, plots) = match part? {

@@ -1,12 +1,20 @@
-//! The layout for an audience.
+//! The layout for an audience: the picture comes first.
 
-use eframe::egui::Rect;
+use eframe::egui::{Rect, vec2};
 
 use super::rects::{large_enough, split_left, split_top};
+use crate::app::state::stage::SidePanel;
 use crate::app::views::panes::{Arrangement, Pane};
-use crate::app::widgets::theme::GAP;
 
-/// The layout for an audience: the views, and below them words beside a plot, the map or a fit.
+/// Share of the height that the pictures have, beside words of a preset and of a lesson.
+const PICTURE_SHARE: f32 = 0.72;
+const PICTURE_SHARE_IN_LESSON: f32 = 0.655;
+/// Margins at the sides of the words, and above and below them, as parts of the window.
+const ASIDE: f32 = 0.018;
+const ABOVE_AND_BELOW: f32 = 0.008;
+
+/// The layout for an audience: the pictures with their bands, beside them perhaps a panel, and below them
+/// words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Presentation {
     /// Panes of the views.
@@ -15,66 +23,33 @@ pub struct Presentation {
     pub words: Option<Rect>,
     /// Room for the plot, the map, or the fit with its residuals and its table; none where it would be too
     /// small.
-    pub plot: Option<Rect>,
+    pub panel: Option<Rect>,
 }
 
-/// The panel beside the words for an audience.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Beside {
-    /// Nothing: they have all the room.
-    Nothing,
-    /// A single plot, beside the words.
-    Plot,
-    /// The map beside the words.
-    Map,
-    /// The fit: readings, residuals and a table.
-    Fit,
-}
-
-impl Beside {
-    /// Returns the share of the width that the words take.
-    const fn words_width(self) -> f32 {
+impl SidePanel {
+    /// Returns the share of the width that the panel takes.
+    const fn width(self) -> f32 {
         match self {
-            Self::Nothing => 1.0,
-            Self::Plot | Self::Map => 0.5,
-            Self::Fit => 0.38,
-        }
-    }
-
-    /// Returns shares of the height for the words and the panel beside them: the least, the most, and the
-    /// most for words that could otherwise not be read from the last row.
-    const fn heights(self) -> [f32; 3] {
-        match self {
-            Self::Nothing => [0.12, 0.62, 0.66],
-            Self::Plot | Self::Map => [0.38, 0.54, 0.66],
-            Self::Fit => [0.64, 0.64, 0.76],
+            Self::Nothing => 0.0,
+            Self::Plot | Self::Map => 0.4,
+            Self::Fit => 0.58,
         }
     }
 }
 
 impl Presentation {
-    /// Lays out a window with this inner `area`, its views as `arranged`. The words take as much of the
-    /// height as they `need`, if that is known, and the views the rest; an infinite need means that the words
-    /// are too small.
+    /// Lays out a window with this inner `area`, its views as `arranged`, beside a `panel`. The pictures have
+    /// the same height whatever stands beside and below them.
     #[must_use]
-    pub fn new(area: Rect, arranged: &Arrangement, beside: Beside, need: Option<f32>) -> Self {
+    pub fn new(area: Rect, arranged: &Arrangement, is_lesson: bool, panel: SidePanel) -> Self {
         if let Some(panes) = arranged.whole_screen(area) {
-            return Self { panes, words: None, plot: None };
+            return Self { panes, words: None, panel: None };
         }
-        let [least, most, utmost] = beside.heights().map(|share| share * area.height());
-        let height = match need {
-            Some(f32::INFINITY) => utmost,
-            Some(need) => (need + 2.0 * around(most)).clamp(least, most),
-            None => most,
-        };
-        let (upper, lower) = split_top(area, area.height() - height);
-        let (words, plot) = split_left(lower, beside.words_width() * lower.width());
-        let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
-        Self { panes, words: Some(words.shrink(around(most))), plot: large_enough(plot) }
+        let share = if is_lesson { PICTURE_SHARE_IN_LESSON } else { PICTURE_SHARE };
+        let (upper, words) = split_top(area, share * area.height() + arranged.band());
+        let (views, panel) = split_left(upper, (1.0 - panel.width()) * upper.width());
+        let panes = large_enough(views).map_or_else(Vec::new, |_| arranged.panes(views));
+        let margins = vec2(ASIDE * area.width(), ABOVE_AND_BELOW * area.height());
+        Self { panes, words: Some(words.shrink2(margins)), panel: large_enough(panel) }
     }
-}
-
-/// Returns the margin around words in a part of this `height`.
-fn around(height: f32) -> f32 {
-    (1.5 * GAP).min(0.1 * height)
 }

@@ -3,6 +3,7 @@
 use eframe::egui::pos2;
 
 use super::*;
+use crate::app::state::stage::SidePanel;
 use crate::settings::Settings;
 
 fn layout(width: f32, height: f32) -> WindowLayout {
@@ -290,39 +291,31 @@ fn one_part_alone_has_all_between_bar_and_timeline() {
 }
 
 #[test]
-fn an_audience_has_all_parts_apart_and_large() {
+fn an_audience_has_all_parts_apart_and_the_picture_large_in_one_place() {
     for size in SIZES {
-        let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, 1.6);
         let area = Rect::from_min_size(Pos2::ZERO, size.into());
-        for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
-            for need in [None, Some(0.0), Some(0.3 * size[1]), Some(f32::INFINITY)] {
-                let shown = Presentation::new(area, &arranged, beside, need);
-                let parts = shown.words.into_iter().chain(shown.plot);
-                let all: Vec<Rect> = parts.chain(shown.panes.iter().map(|pane| pane.rect)).collect();
-                assert_apart(&all, size);
-                if size[0] < 800.0 {
-                    continue;
+        let scale = 0.03 * size[1].min(0.75 * size[0]) / 11.5;
+        for has_both in [false, true] {
+            let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, scale).for_audience(has_both);
+            for is_lesson in [false, true] {
+                let mut heights = Vec::new();
+                for panel in [SidePanel::Nothing, SidePanel::Plot, SidePanel::Map, SidePanel::Fit] {
+                    let shown = Presentation::new(area, &arranged, is_lesson, panel);
+                    let with_band = |pane: &Pane| pane.rect.with_max_y(pane.rect.max.y + pane.band);
+                    let parts = shown.words.into_iter().chain(shown.panel);
+                    let all: Vec<Rect> = parts.chain(shown.panes.iter().map(with_band)).collect();
+                    assert_apart(&all, size);
+                    if size[0] < 800.0 {
+                        continue;
+                    }
+                    let words = shown.words.expect("words");
+                    let counts = (shown.panes.len(), shown.panel.is_some());
+                    assert_eq!(counts, (1 + usize::from(has_both), panel != SidePanel::Nothing));
+                    assert!(words.width() > 0.9 * size[0] && words.height() > 0.2 * size[1], "{words:?}");
+                    heights.extend(shown.panes.iter().map(|pane| pane.rect.y_range()));
                 }
-                let words = shown.words.expect("words");
-                assert_eq!((shown.panes.len(), shown.plot.is_some()), (2, beside != Beside::Nothing));
-                assert!(
-                    words.width() > 0.3 * size[0] && words.height() > 40.0,
-                    "{words:?} {beside:?} {need:?}"
-                );
+                assert!(heights.iter().all(|range| *range == heights[0] && range.span() >= 0.65 * size[1]));
             }
         }
-    }
-}
-
-#[test]
-fn pictures_grow_where_the_words_need_less() {
-    let arranged = Arrangement::new(&Settings::default(), 2.54 / 96.0, 1.6);
-    let area = Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0));
-    for beside in [Beside::Nothing, Beside::Plot, Beside::Map, Beside::Fit] {
-        let heights = [0.0, 300.0, 1000.0, f32::INFINITY].map(|need| {
-            let shown = Presentation::new(area, &arranged, beside, Some(need));
-            shown.panes[0].rect.height()
-        });
-        assert!(heights.is_sorted_by(|a, b| a >= b) && heights[0] > heights[3], "{beside:?} {heights:?}");
     }
 }
