@@ -128,24 +128,21 @@ impl WindowLayout {
         let is_asked_for = lesson == LessonPart::Panel && (window.plots || window.map == Presence::On);
         let (lesson, below) = lesson.split_off(below, arranged, speed_height + TIMELINE_HEIGHTS[1]);
         let area = whole.with_min_x(below.min.x);
-        let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
-        let (centre, side) = if with_side { split_right(below, side_width) } else { (below, None) };
+        let (centre, side) = if with_side { split_side(below, area, window) } else { (below, None) };
         let SideParts { controls, map: map_aside, readout } =
             side.map_or_else(SideParts::default, |side| SideParts::new(side, window));
-        let shown =
-            WindowSettings { map: if map_aside.is_some() { Presence::Off } else { window.map }, ..window };
+        let map_below = if map_aside.is_some() { Presence::Off } else { window.map };
         let timeline_height = TIMELINE_HEIGHTS[usize::from(!has_timeline_in_a_row(window, centre.width()))];
         let height = centre.height() - speed_height - timeline_height;
-        let is_high = is_asked_for || has_table(tab) || shown.map == Presence::On;
+        let is_high = is_asked_for || has_table(tab) || map_below == Presence::On;
         let needs = StripNeeds { window: whole.height(), is_narrow, is_high };
         let Heights { words, free, lowest, strip } =
             Heights::new(needs, vec2(centre.width(), height.max(0.0)), window, arranged);
         let lowest = if is_asked_for { lowest.min(LOWEST) } else { lowest };
         let strip_height = part(window.strip_share, free, strip, [LOWEST; 2]);
-        // What stands in a strip does not change while its border is dragged, unless it becomes too low for
-        // any of it.
+        // What stands in a strip stays while its border is dragged, until it is too low for any of it.
         let room = if strip_height >= 1.5 * LOWEST { strip_height.max(strip) } else { strip_height };
-        let below = Below::new(vec2(centre.width(), room), shown, tab);
+        let below = Below::new(vec2(centre.width(), room), WindowSettings { map: map_below, ..window }, tab);
         let map_above = !window.views && window.map != Presence::Off;
         let upper_height = match (window.views || map_above, below) {
             (true, Below::Nothing) => free,
@@ -161,7 +158,6 @@ impl WindowLayout {
         let [map, plots] = below.parts(lower, window.map_share);
         let strip = (upper.height() > 0.0 && lower.height() > 0.0).then_some((lower, free));
         let borders = borders(area, side, strip, map.and(plots));
-        let shown = |rect: Rect| (rect.height() > 0.0).then(|| rect.shrink2(vec2(GAP / 2.0, 0.0)));
         let views = large_enough(upper).filter(|_| window.views);
         Self {
             bar,
@@ -278,6 +274,16 @@ pub fn is_narrow(area: Rect) -> bool {
 pub fn views(area: Rect, arranged: &Arrangement) -> Vec<Pane> {
     let shared = arranged.whole_screen(area);
     shared.or_else(|| Some(arranged.panes(large_enough(area)?))).unwrap_or_default()
+}
+
+/// Returns the place of a row of words in `rect`, unless it has no height.
+fn shown(rect: Rect) -> Option<Rect> {
+    (rect.height() > 0.0).then(|| rect.shrink2(vec2(GAP / 2.0, 0.0)))
+}
+
+/// Returns the room `below` the bar without the side, and the side, which has its share of `area`.
+fn split_side(below: Rect, area: Rect, window: WindowSettings) -> (Rect, Option<Rect>) {
+    split_right(below, part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]))
 }
 
 /// Returns the size of a part with this `share` of a `whole`, else the `default`: at least `least`, and as
