@@ -13,7 +13,8 @@ use gamow::flags::choices::RendererChoice;
 use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
 
 use super::support::{
-    assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, wait_for, window_of_size,
+    assert_sane, builder, cyclist, label_starting_with, labels, pane, rest, type_into, wait_for,
+    window_of_size,
 };
 use super::{Test, device};
 
@@ -51,7 +52,7 @@ fn differences(window: &mut Harness<'_, App>, samples: u32) -> [f64; 2] {
     let size = [pane.width() as u32, pane.height() as u32];
     let state = window.state().state();
     let view = state.view(Eye::Left, size);
-    let reference = state.document.prepared.picture(&view, &state.appearance(false), samples);
+    let reference = state.document.prepared.picture(&view, &state.appearance(true), samples);
     let shown = window.render().expect("a picture");
     let (mut sum, mut differing) = (0, 0);
     let compared = size[0] * (size[1] - NOTE);
@@ -78,6 +79,7 @@ fn a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing() {
     println!("{smooth} of the pixels differ; before {plain}");
     // The marker and the hint cover the rest.
     assert!(smooth < 0.5 * plain && smooth < 0.02, "{smooth} of the pixels differ; before {plain}");
+    rest(&mut window);
     assert_eq!(repaint_delay(&window), Duration::MAX, "a window at rest uses no processor");
     // What was made is kept: the next frame makes nothing.
     window.step();
@@ -111,7 +113,7 @@ fn what_changes_is_drawn_plainly_at_once() {
 }
 
 fn what_was_chosen_and_why_is_said() {
-    let mut window = window_of_size(cyclist(0.9), [1280.0, 880.0], 1.0);
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 1000.0], 1.0);
     assert!(label_starting_with(&window, "Chosen: ").ends_with(", within 0.002 px"));
     for (goal, end) in [
         (Goal::Error(1e-4), ", exact"),

@@ -50,7 +50,7 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
     let size = [pane.width() as u32, pane.height() as u32];
     let state = window.state().state();
     let view = state.view(Eye::Left, size);
-    let reference = state.document.prepared.picture(&view, &state.appearance(false), 2);
+    let reference = state.document.prepared.picture(&view, &state.appearance(true), 2);
     let shown = window.render().expect("a picture");
     let compared = size[0] * (size[1] - NOTE);
     let differing = (0..compared).filter(|i| {

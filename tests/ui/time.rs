@@ -9,7 +9,7 @@ use gamow::app::shell::App;
 use relativity_render::Geometry;
 
 use super::Test;
-use super::support::{FRAME, cyclist, drag, seen, shown, slider, type_into, window};
+use super::support::{FRAME, cyclist, drag, rest, seen, shown, slider, type_into, window};
 
 pub const TESTS: &[Test] = trials![
     scrubbing_moves_the_time_and_the_readout,
@@ -132,8 +132,7 @@ fn repaint_delay(window: &Harness<'_, App>) -> Duration {
 
 fn a_paused_window_asks_for_no_frames() {
     let mut window = window(cyclist(0.9));
-    window.run();
-    window.step();
+    rest(&mut window);
     assert_eq!(repaint_delay(&window), Duration::MAX);
     window.get_by_label("Play").click();
     window.run_steps(3);

@@ -66,7 +66,9 @@ const NOTES_FADE: f32 = 0.2;
 /// back while the pointer moves over the picture, or the keyboard is at it.
 fn notes_opacity(ui: &Ui, pane: EyePane, notes: &[&String]) -> f32 {
     let (ctx, name) = (ui.ctx(), NOTES[pane.index()]);
-    let left = NOTES_TIME - awake::shown_for(ctx, name, notes);
+    // Another measured number is no other note.
+    let words = notes.iter().map(|note| note.replace(|letter: char| letter.is_ascii_digit(), ""));
+    let left = NOTES_TIME - awake::shown_for(ctx, name, words.collect::<Vec<_>>());
     if left > 0.0 {
         ctx.request_repaint_after_secs(left as f32 + 0.01);
     }

@@ -9,6 +9,7 @@ use relativity_render::{Body, GroupView, MaterialPoint, Motion};
 use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::state::State;
 use crate::app::views::panes::EyePane;
+use crate::app::widgets::theme;
 use crate::number_text;
 
 /// At most this many bodies are outlined; larger scenes are strided.
@@ -16,7 +17,7 @@ const MOST_BODIES: usize = 600;
 const COLOUR: Color32 = Color32::from_rgb(255, 224, 130);
 /// Length of the arrow's head, points.
 const HEAD: f32 = 10.0;
-const FONT_SIZE: f32 = 12.0;
+const FONT_SIZE: f32 = theme::SMALL_SIZE;
 
 /// Draws both into `pane`, for each group that moves, where writing is `scale` times as large as by default.
 pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView, scale: f32) {

@@ -11,10 +11,11 @@ use super::sliding_view::SlidingView;
 use super::spectrum;
 use crate::app::state::State;
 use crate::app::views::panes::{EyePane, PaneTitle};
+use crate::app::widgets::theme;
 use crate::number_text;
 use crate::plot::{Axis, LabelPlaces};
 
-const FONT_SIZE: f32 = 11.0;
+const FONT_SIZE: f32 = theme::SMALL_SIZE;
 /// Least space between two names.
 const BETWEEN: f32 = 8.0;
 /// Least distance of ticks without a name, points.

@@ -12,6 +12,7 @@ use relativity_render::{Colour, Geometry};
 use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;
 use crate::app::state::State;
+use crate::app::widgets::theme;
 use crate::app::widgets::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::caption::{RestLight, in_words};
 use crate::number_text;
@@ -21,7 +22,7 @@ use crate::plot::LabelPlaces;
 const HATCH: f32 = 6.0;
 const INVISIBLE: Color32 = Color32::from_gray(58);
 const HATCH_COLOUR: Color32 = Color32::from_gray(120);
-const FONT_SIZE: f32 = 10.0;
+const FONT_SIZE: f32 = theme::SMALL_SIZE;
 /// Least space between two names, points.
 const BETWEEN: f32 = 6.0;
 /// The Doppler factors that are named where light is not of one wavelength.
