@@ -1,4 +1,5 @@
-//! Makes the pictures of the start page's cards, a JPEG for each lesson and preset; `convert` compresses them.
+//! Makes the pictures of the start page's cards, a JPEG for each lesson and preset; `convert` compresses
+//! them.
 //!
 //! ```text
 //! cargo run --release --example cards -- assets/cards [NAME...]

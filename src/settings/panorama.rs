@@ -1,16 +1,17 @@
-//! The panorama: the whole passage in one conformal strip for each eye, the left eye's above the right eye's.
+//! The panorama: the whole passage in one conformal strip, or in one for each eye, the left eye's above the
+//! right eye's.
 
 use super::{LookSettings, PictureSettings, Settings};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{Form, GazeChoice, Layout, ProjectionChoice, ZeroParallax};
 
 impl Settings {
-    /// Whether both eyes' pictures are strips of the whole passage, one above the other.
+    /// Whether the pictures are strips of the whole passage, one alone or one above the other.
     #[must_use]
     pub fn is_panorama(&self) -> bool {
         self.projection() == ProjectionChoice::Mercator
             && self.look.gaze == GazeChoice::Passage
-            && self.picture.layout.form() == Form::Above
+            && matches!(self.picture.layout.form(), Form::Above | Form::One(_))
     }
 
     /// Changes from any other pictures to the panorama, and from that to these `defaults`.

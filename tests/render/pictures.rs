@@ -145,7 +145,7 @@ fn effects_and_geometries_change_the_picture() {
         "--exposure -2",
         "--shading emission",
         "--sky off",
-        "--light on",
+        "--light off",
         "--geometry contracted",
         "--geometry rest",
         "--gaze 90,10",

@@ -68,10 +68,12 @@ fn the_second_picture_is_that_of_its_geometry_by_itself() {
         assert!((place.size() - second.size()).abs().max_elem() < 0.5, "{place:?} {second:?}");
         let [seen, in_it, by_itself] =
             [pixels(&mut both, first), pixels(&mut both, second), pixels(&mut alone, place)];
-        // The edge of the marker is rounded as its place on the screen has it: nothing else differs.
+        // Edges of what is painted are rounded as their place on the screen has it, by a level or two: beside
+        // the marker's nothing else differs.
+        let differ = |(a, b): (&[u8; 4], &[u8; 4])| (0..4).any(|i| a[i].abs_diff(b[i]) > 2);
         let width = in_it.len() / (place.height() as usize - 6);
         let marker = marker(&alone, place) - vec2(3.0, 3.0);
-        for (i, _) in in_it.iter().zip(&by_itself).enumerate().filter(|(_, (a, b))| a != b) {
+        for (i, _) in in_it.iter().zip(&by_itself).enumerate().filter(|(_, both)| differ(*both)) {
             let off = marker - vec2((i % width) as f32, (i / width) as f32);
             assert!(off.length() < 9.0, "{name}: {off:?}");
         }

@@ -178,7 +178,7 @@ fn the_smallest_window_has_plots_and_views_of_use() {
         for quantity in ["Δφ", "Δθ"] {
             let name = label_starting_with(&window, &format!("Plot of {quantity}"));
             let plot = window.get_by_label(&name).rect();
-            assert!(plot.width() >= 160.0 && plot.height() >= 100.0, "{size:?} {quantity}: {plot:?}");
+            assert!(plot.width() >= 160.0 && plot.height() >= 75.0, "{size:?} {quantity}: {plot:?}");
         }
     }
 }
@@ -413,7 +413,7 @@ fn no_writing_in_the_window_is_smaller_than_eleven_points() {
                 for clipped in &window.output().shapes {
                     written(&clipped.shape, &mut sizes);
                 }
-                assert!(sizes.len() > 5, "{size:?} {plot:?}");
+                assert!(sizes.len() > if present { 2 } else { 5 }, "{size:?} {plot:?}");
                 let small = sizes.iter().find(|(size, _)| *size < 11.0);
                 assert_eq!(small, None, "{size:?} {plot:?}");
             }

@@ -275,7 +275,7 @@ fn a_hidden_map_is_not_there_at_all() {
     ] {
         let mut state = cyclist(0.9);
         state.document.settings.window = window;
-        let window = map_window(state);
+        let window = window_of_size(state, [1280.0, 800.0], 1.0);
         assert!(!labels(&window).iter().any(|label| label.starts_with("Map, ")));
         assert!(!window.state().state().frame.shows_map);
     }

@@ -9,6 +9,7 @@ use gamow::app::commands::{Command, ShowCommand};
 use gamow::app::shell::App;
 use gamow::eye::Eye;
 use gamow::flags::choices::{Form, Layout};
+use gamow::settings::Preset;
 use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, sighting};
 use relativity_render::Composition;
@@ -140,9 +141,7 @@ fn every_layout_is_chosen_by_name_and_by_key() {
     assert_eq!(layout(&window), Layout::Dubois);
     window.get_by_label("Both eyes' view");
     // A preset is another state to look at, in the same way.
-    window.get_by_label("Presets").click();
-    window.run();
-    window.get_by_label("A globe").click();
+    window.state_mut().run(ShowCommand::Preset(Preset::named("globe").expect("a preset")));
     window.run();
     assert_eq!(layout(&window), Layout::Dubois);
 }

@@ -10,7 +10,7 @@ use gamow::app::state::State;
 use gamow::flags::choices::RendererChoice;
 use gamow::settings::Preset;
 
-use super::support::{builder, cyclist, settle, wait_for, window_of_size, window_without_pictures};
+use super::support::{builder, cyclist, rest, settle, wait_for, window_of_size, window_without_pictures};
 use super::{Test, device};
 
 pub const TESTS: &[Test] = trials![
@@ -115,7 +115,7 @@ fn a_change_of_preset_or_layout_fades_for_a_moment_unless_nothing_is_to_move() {
             window.run_steps(4);
             assert!(!window.state().is_fading());
             settle(&mut window);
-            window.run();
+            rest(&mut window);
             assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
         }
     }

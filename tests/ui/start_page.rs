@@ -103,10 +103,11 @@ fn lessons_that_cannot_be_read_stand_beside_the_others_with_the_reason() {
     let mut state = newcomers();
     state.session.library =
         Some(Arc::new(Library::new(Some(folder.path())).expect("the others are lessons")));
-    let window = window_of_size(state, [1000.0, 8000.0], 1.0);
-    assert!(window.query_by_label("1. A good one").is_some());
+    let mut window = window_of_size(state, [1000.0, 8000.0], 1.0);
     assert_eq!(window.query_all_by_label_contains(".md:1: a lesson begins with a line `---`").count(), 20);
     assert_eq!(window.query_all_by_label_contains("10 more lessons cannot be read").count(), 1);
+    press(&mut window, "Your own lessons");
+    assert!(window.query_by_label("1. A good one").is_some());
 }
 
 fn the_start_page_leads_to_all_lessons_and_presets() {

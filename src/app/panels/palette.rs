@@ -237,6 +237,7 @@ mod tests {
         let settings = &state.document.settings;
         assert_eq!((settings.motion.speed.speed().gamma(), settings.light.sky), (7.0, false));
         // A light window shows light pictures, as after its button.
+        set(&mut state, "theme", "dark");
         state.document.settings.light.light = crate::settings::Daylight::Off;
         set(&mut state, "theme", "light");
         assert_eq!(state.document.settings.light.light, crate::settings::Daylight::Theme);

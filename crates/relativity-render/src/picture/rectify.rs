@@ -150,31 +150,45 @@ impl LightCorrection {
         let brightness =
             self.intensity_exponent.map_or(1.0, |exponent| 1.0 / intensity_factor(doppler, exponent));
         let received = untoned(received);
-        let grey = received.into_iter().fold(f64::INFINITY, f64::min);
-        let hue = received.map(|part| part - grey);
-        let shifted = if self.doppler_shift { shifted(hue, doppler) } else { hue };
-        toned(shifted.map(|part| ((part + grey) * brightness).min(f64::MAX)))
+        let shifted = if self.doppler_shift { shifted(received, doppler) } else { received };
+        toned(shifted.map(|part| (part * brightness).min(f64::MAX)))
     }
 }
 
-/// The colour of the monochromatic light of this `hue` (its least component 0), its wavelength multiplied by
-/// `factor`; as it is if no light has this hue.
-fn shifted(hue: [f64; 3], factor: f64) -> [f64; 3] {
-    let largest = hue.into_iter().fold(0.0, f64::max);
-    if largest == 0.0 {
-        return hue;
-    }
-    let Some(wavelength_nm) = wavelength_nm(hue.map(|part| part / largest)) else { return hue };
-    linear_srgb(wavelength_nm * factor).map(|part| part * largest)
+/// The linear colour of `received` with the wavelength of its monochromatic part multiplied by `factor`; as
+/// it is if no light has its hue.
+fn shifted(received: [f64; 3], factor: f64) -> [f64; 3] {
+    let grey = least(received);
+    let Some(wavelength_nm) = pure(received).and_then(wavelength_nm) else { return received };
+    // A screen shows the light of one wavelength with some grey of its own, see `in_gamut`.
+    let own = linear_srgb(wavelength_nm);
+    let intensity = (largest(received) - grey) / (largest(own) - least(own));
+    let rest = (grey - intensity * least(own)).max(0.0);
+    linear_srgb(wavelength_nm * factor).map(|part| intensity * part + rest)
 }
 
-/// The wavelength whose hue at full brightness is `hue`.
+/// The wavelength whose light is `hue` without its grey part.
 fn wavelength_nm(hue: [f64; 3]) -> Option<f64> {
-    static HUES: LazyLock<Vec<(f64, [f64; 3])>> =
-        LazyLock::new(|| HUES_NM.map(f64::from).map(|nm| (nm, linear_srgb(nm))).collect());
+    static HUES: LazyLock<Vec<(f64, [f64; 3])>> = LazyLock::new(|| {
+        HUES_NM.map(f64::from).filter_map(|nm| Some((nm, pure(linear_srgb(nm))?))).collect()
+    });
     let distance = |other: &[f64; 3]| -> f64 { (0..3).map(|i| (other[i] - hue[i]).powi(2)).sum() };
     let nearest = HUES.iter().min_by(|a, b| distance(&a.1).total_cmp(&distance(&b.1)))?;
     (distance(&nearest.1).sqrt() <= HUE_TOLERANCE).then_some(nearest.0)
+}
+
+/// `colour` without its grey part, its largest component 1; `None` for grey.
+fn pure(colour: [f64; 3]) -> Option<[f64; 3]> {
+    let (grey, range) = (least(colour), largest(colour) - least(colour));
+    (range > 0.0).then(|| colour.map(|part| (part - grey) / range))
+}
+
+fn least(colour: [f64; 3]) -> f64 {
+    colour.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+fn largest(colour: [f64; 3]) -> f64 {
+    colour.into_iter().fold(0.0, f64::max)
 }
 
 fn linear_rgb([r, g, b, _]: [u8; 4]) -> [f64; 3] {

@@ -9,8 +9,9 @@ use eframe::egui::{
     vec2,
 };
 
-use super::{Commands, sides, words};
+use super::{margins, words};
 use crate::app::commands::{Command, PlaybackCommand, ShowCommand, WindowCommand};
+use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::state::overlay::Overlay;
@@ -53,7 +54,7 @@ pub fn show(
 ) {
     let scale = theme::text_scale(ui.style());
     let (width, page) = (ui.available_width(), ui.clip_rect().height());
-    let inner = (width - 2.0 * sides(width)).clamp(1.0, scale * super::WIDEST);
+    let inner = margins::inner_width(width, scale);
     let size = (HEADING * width).clamp(scale * HEADINGS[0], scale * HEADINGS[1]);
     let line = (LINE * size).clamp(scale * LINES[0], scale * LINES[1]);
     let heading = laid(ui, words::HEADING, size, inner);

@@ -3,6 +3,7 @@
 
 mod card;
 mod head;
+mod margins;
 mod picture;
 #[cfg(not(feature = "desktop"))]
 mod program;
@@ -27,13 +28,6 @@ use crate::app::widgets::theme;
 use crate::lesson::{Chapter, Lesson, Library, Refused};
 use crate::settings::{Preset, PresetGroup};
 
-/// The widest that what is on the page becomes, points.
-const WIDEST: f32 = 1720.0;
-/// Space that stays free at its sides, on a page wider than a phone's and on that of a phone, and the width
-/// between these; points.
-const SIDES: f32 = 32.0;
-const SIDES_OF_A_PHONE: f32 = 16.0;
-const WIDEST_PHONE: f32 = 540.0;
 /// Sizes of headings of pages and of sections, in those of most writing.
 const PAGE: f32 = 2.0;
 const SECTION: f32 = 1.2;
@@ -92,16 +86,11 @@ pub fn show(ui: &mut Ui, state: &State, pictures: Pictures<'_>, commands: &mut C
     });
 }
 
-/// Returns the space that stays free at each side of a page of this `width`, points.
-fn sides(width: f32) -> f32 {
-    if width > WIDEST_PHONE { SIDES } else { SIDES_OF_A_PHONE }
-}
-
 /// Shows `contents` between the margins of the page.
 fn within(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
     let scale = theme::text_scale(ui.style());
     let room = ui.available_rect_before_wrap();
-    let width = (room.width() - 2.0 * sides(room.width())).min(scale * WIDEST).max(1.0);
+    let width = margins::inner_width(room.width(), scale);
     let within = room.with_min_x(room.center().x - 0.5 * width).with_max_x(room.center().x + 0.5 * width);
     ui.scope_builder(UiBuilder::new().max_rect(within), |ui| {
         ui.add_space(scale * 14.0);

@@ -45,7 +45,9 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let way = instruments.write_beside(&inside, pane.rect, &[covered.as_slice(), &marked].concat());
     let covered: Vec<_> = covered.into_iter().chain(way).collect();
     let above = places.iter().fold(pane.rect.max.y, |top, part| top.min(part.min.y));
-    let arrows = state.offscreen_arrows(pane.eye, pane.size);
+    // Only a rider, before an audience, looks for what is out of view.
+    let has_arrows = !is_before_audience || state.document.settings.ride.is_on();
+    let arrows = if has_arrows { state.offscreen_arrows(pane.eye, pane.size) } else { Vec::new() };
     offscreen_arrows::paint(ui, &inside, pane.rect.with_max_y(above), &arrows, &covered);
     let hint = predicted_place::hint(state)
         .or_else(|| laid_ruler::hint(state))

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use eframe::egui::{Color32, FontId, Galley, Painter, Pos2, Shape, Stroke, Vec2, vec2};
 
-use super::Instruments;
+use super::values::Instruments;
 use crate::app::widgets::theme;
 
 /// Rapidity at the end of the arc: 0.9993 c.

@@ -7,7 +7,9 @@ use eframe::egui::{
     Align2, Color32, FontId, Galley, Painter, Rect, Sense, TextStyle, Ui, Vec2, WidgetInfo, vec2,
 };
 
-use super::{Instruments, Places, dial};
+use super::dial;
+use super::places::Places;
+use super::values::Instruments;
 use crate::app::state::State;
 use crate::app::tools::awake;
 use crate::app::views::panes::EyePane;

@@ -23,8 +23,8 @@ const PICTURES_SHARE: f32 = 0.5;
 const FEW_ASPECT: f32 = 0.9;
 /// Lowest strips of plots below such pictures: of one plot alone, with tabs above it, and with two rows of
 /// these where they are narrower than this.
-const LOWEST_STRIPS: [f32; 3] = [140.0, 150.0, 190.0];
-const NARROWEST_TABS: f32 = 700.0;
+const LOWEST_STRIPS: [f32; 3] = [140.0, 150.0, 224.0];
+const NARROWEST_TABS: f32 = 830.0;
 /// Share of the height that the plots take from the views where these give way.
 const PLOTS_SHARE: f32 = 0.38;
 /// Height that the fit with its table and residuals needs, or the map beside plots; no more than half, unless

@@ -16,9 +16,9 @@ fn the_smallest_supported_window_holds_every_part_but_the_wavelengths() {
     assert_eq!(layout.panes.len(), 2);
     assert!(layout.spectrum.is_none() && layout.sentence.is_some());
     for pane in &layout.panes {
-        assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 220.0, "{pane:?}");
+        assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 165.0, "{pane:?}");
     }
-    for (part, least) in [(layout.controls, 300.0), (layout.readout, 200.0), (layout.plots, 140.0)] {
+    for (part, least) in [(layout.controls, 300.0), (layout.readout, 200.0), (layout.plots, 210.0)] {
         let part = part.expect("shown");
         assert!(part.width() >= 320.0 && part.height() >= least, "{part:?}");
     }
@@ -45,7 +45,8 @@ fn pictures_have_half_of_the_height_with_few_controls_and_with_all() {
         let (few, below) = shares(size, WindowSettings::default().with_few(true));
         assert!(few >= 0.5 && below >= plots, "{size:?}: {few} {below}");
         let (all, below) = shares(size, WindowSettings::default());
-        let least = if size[1] < 700.0 { 0.4 } else { 0.5 };
+        // Two rows of tabs and a plot below them leave less in a low window.
+        let least = if size[1] < 700.0 { 0.25 } else { 0.5 };
         assert!(all >= least && below >= 140.0, "{size:?}: {all} {below}");
     }
 }
@@ -110,7 +111,9 @@ fn a_small_window_has_a_map_in_place_of_the_plots_when_asked() {
     let unasked = sized(size, WindowSettings::default());
     assert!(unasked.map.is_none() && unasked.plots.is_some());
     let asked = sized(size, WindowSettings { map: Presence::On, ..WindowSettings::default() });
-    assert_eq!((asked.map, asked.plots), (unasked.plots, None));
+    // The pictures give way to a map that is asked for.
+    let covers = |map: Rect| unasked.plots.is_some_and(|plots| map.contains_rect(plots));
+    assert!(asked.map.is_some_and(covers) && asked.plots.is_none());
 }
 
 #[test]
@@ -180,9 +183,11 @@ fn a_phone_has_views_then_speed_then_time_then_its_lesson() {
         let lesson = layout.lesson.expect("shown");
         assert_eq!((lesson.width(), lesson.max.y), (360.0, 740.0));
         assert!(lesson.height() >= 300.0, "{lesson:?}");
-        assert_eq!((layout.panes.len(), layout.plots), (2, None));
+        // Plots that a lesson switches on are what it asks about: the pictures give way to them.
+        assert_eq!((layout.panes.len(), layout.plots.is_some()), (2, plots));
+        let least = if plots { 0.35 } else { 0.75 };
         for pane in &layout.panes {
-            assert!(pane.rect.height() >= 0.75 * pane.rect.width(), "{pane:?}");
+            assert!(pane.rect.height() >= least * pane.rect.width(), "{pane:?}");
         }
         let alone = layout.clone().with_only(area, Some(WindowPart::Pane(0)));
         for layout in [layout, alone] {
@@ -241,7 +246,7 @@ fn no_share_pushes_a_part_out_or_into_another() {
 
 #[test]
 fn a_border_that_is_dragged_stands_at_the_pointer() {
-    let size = [1600.0, 1000.0];
+    let size = [1920.0, 1080.0];
     let all = sized(size, WindowSettings::default()).borders;
     assert_eq!(
         all.iter().map(|border| border.split).collect::<Vec<_>>(),
@@ -277,7 +282,7 @@ fn one_part_alone_has_all_between_bar_and_timeline() {
             let shown = [alone.map, alone.plots]
                 .into_iter()
                 .flatten()
-                .chain(alone.panes.iter().map(|pane| pane.rect));
+                .chain(alone.panes.iter().map(|pane| pane.rect.with_max_y(pane.rect.max.y + pane.band)));
             let [shown] = shown.collect::<Vec<_>>()[..] else { panic!("{part:?}") };
             let least = size[1] - 160.0 - alone.speed.map_or(0.0, |speed| speed.height());
             assert!(shown.width() > size[0] - 20.0 && shown.height() > least, "{size:?} {part:?}");
