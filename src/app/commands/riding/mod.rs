@@ -54,8 +54,8 @@ impl State {
         self.get_on();
     }
 
-    /// Seats the observer on a bicycle at rest in the middle of the road, facing +x, with one large picture in
-    /// place of two apart.
+    /// Seats the observer on a bicycle at rest in the middle of the road, facing +x, with one large picture
+    /// in place of two apart.
     fn get_on(&mut self) {
         let across = self.document.scene.street.map_or(0.0, |[near, far, _]| 0.5 * (near + far));
         let mut settings = Settings::clone(&self.document.settings);
