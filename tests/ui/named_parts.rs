@@ -287,7 +287,17 @@ fn an_audience_is_shown_what_a_lesson_names() {
 
 /// Without a system that has windows it stands in this one: what a lesson names is there twice.
 fn the_projectors_window_shows_what_a_lesson_names() {
-    look_at_all([1920.0, 1080.0], 2, &[], |window| {
+    // As low as the picture is there, ruler, strip and instruments have no room, and the map none for words.
+    let known = [
+        ["colour ", "the strip"],
+        ["light-is-late ", "left eye sees"],
+        ["ride-away ", "your odometer"],
+        ["ride-gate ", "Place"],
+        ["ride-home ", "Place"],
+        ["ride-length ", "Place"],
+        ["slide ", "Place"],
+    ];
+    look_at_all([1920.0, 1080.0], 2, &known, |window| {
         window.state_mut().run(WindowCommand::ToggleProjector);
         window.run_steps(4);
     });
@@ -300,6 +310,7 @@ fn a_phone_shows_what_a_lesson_names() {
         ["clocks ", "\\\"now\\\" lie"],
         ["parallax ", "the fitted curve"],
         ["ride-length ", "your odometer"],
+        ["ride-length ", "ridden"],
         ["ride-away ", "your odometer"],
         ["ride-gate ", "the instruments"],
     ];

@@ -43,13 +43,11 @@ fn packets_draw_until_the_rays_are_ready() {
     let mut window = prepared_window(state);
     let start = time(&window);
     window.key_press(Key::Space);
-    let mut is_busy = false;
     for _ in 0..4 {
-        // Between two pipelines it may look settled.
-        is_busy |= !window.state().is_settled();
         window.step();
+        assert!(!is_getting_ready(&window), "nothing waits");
     }
-    assert!(is_busy && !is_getting_ready(&window) && time(&window) > start, "it plays meanwhile");
+    assert!(time(&window) > start, "it plays meanwhile: {} {start}", time(&window));
     window.key_press(Key::Space);
     settle(&mut window);
 }
