@@ -123,7 +123,8 @@ impl State {
         }
     }
 
-    /// Pedals or brakes until this speed is reached, for which T runs; who has not started yet starts with it.
+    /// Pedals or brakes until this speed is reached, for which T runs; who has not started yet starts with
+    /// it.
     pub(super) fn pedal_to(&mut self, velocity: StreetVelocity) {
         let ride = &self.document.settings.ride;
         let has_legs = ride.turns().next().is_some();
