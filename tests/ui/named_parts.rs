@@ -1,5 +1,5 @@
-//! Whatever a lesson names is on the screen: each step of each lesson in the usual window, before an audience,
-//! in the projector's window and on a phone.
+//! Whatever a lesson names is on the screen: each step of each lesson in the usual window, before an
+//! audience, in the projector's window and on a phone.
 //!
 //! A text names a part by a phrase of [`PARTS`], by a name in quotation marks, or by one in italics. Italics
 //! and quotation marks that name no part are known as such ([`STRESSED`]), so that a new name cannot pass

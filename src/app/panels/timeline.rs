@@ -289,8 +289,8 @@ impl TimeMark {
         marks.into_iter().flatten().collect()
     }
 
-    /// Returns the text below the scrubber, with the mark at this `fraction` of its way; `with_time` says when
-    /// it is.
+    /// Returns the text below the scrubber, with the mark at this `fraction` of its way; `with_time` says
+    /// when it is.
     fn text(&self, unit: Unit, fraction: f64, with_time: bool) -> String {
         let text = if with_time {
             format!("{} {}", self.name, unit.text(self.time, 2))

@@ -131,8 +131,8 @@ impl State {
 const ARROW: f32 = 11.0;
 const INSET: f32 = 7.0;
 
-/// Draws an arrow at the edge of `rect`, where a view is, for each of `all`; their names cover nothing of what
-/// is `covered` already, if they can.
+/// Draws an arrow at the edge of `rect`, where a view is, for each of `all`; their names cover nothing of
+/// what is `covered` already, if they can.
 pub fn paint(ui: &Ui, painter: &Painter, rect: Rect, all: &[OffscreenArrow], covered: &[Rect]) {
     let mut labels = LabelPlaces::new(rect, 1.0);
     covered.iter().filter(|area| area.is_positive()).for_each(|area| labels.keep_free(*area));

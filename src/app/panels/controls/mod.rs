@@ -135,7 +135,8 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
 }
 
-/// Shows the speed of the bodies, large unless the observer's own is; on a ride none where nothing moves at it.
+/// Shows the speed of the bodies, large unless the observer's own is; on a ride none where nothing moves at
+/// it.
 fn bodies_speed(
     ui: &mut Ui,
     state: &State,

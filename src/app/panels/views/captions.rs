@@ -15,8 +15,8 @@ use crate::app::views::panes::{EyePane, PaneTitle};
 use crate::app::views::predicted_place;
 use crate::app::views::slide;
 
-/// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark; whoever rides has
-/// the instruments there, which leave marked points in sight.
+/// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark; whoever rides
+/// has the instruments there, which leave marked points in sight.
 pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
     slide::paint_resting(ui, &inside, state, pane);
@@ -64,8 +64,8 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
 const NOTES_TIME: f64 = 4.0;
 const NOTES_FADE: f32 = 0.2;
 
-/// Returns the opacity of the `notes` on the picture in `pane`: they fade a while after they are new, and come
-/// back while the pointer moves over the picture, or the keyboard is at it.
+/// Returns the opacity of the `notes` on the picture in `pane`: they fade a while after they are new, and
+/// come back while the pointer moves over the picture, or the keyboard is at it.
 fn notes_opacity(ui: &Ui, pane: EyePane, notes: &[&String]) -> f32 {
     let (ctx, name) = (ui.ctx(), NOTES[pane.index()]);
     // Another measured number is no other note.

@@ -52,8 +52,8 @@ pub fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: C
     }
 }
 
-/// Returns the places in `pane` of what is marked there, with the clocks beside it: of every followed point in
-/// the picture.
+/// Returns the places in `pane` of what is marked there, with the clocks beside it: of every followed point
+/// in the picture.
 pub fn marked(state: &State, pane: EyePane) -> Vec<Rect> {
     let camera = state.view(pane.eye, pane.size).camera;
     let points = state.document.points.all().iter();

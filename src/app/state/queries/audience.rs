@@ -5,7 +5,8 @@ use crate::app::state::stage::SidePanel;
 use crate::settings::{PlotSettings, PlotTab, Presence, Settings, WindowSettings};
 
 impl State {
-    /// Whether both eyes have a picture: before an audience one is shown large in place of two that are apart.
+    /// Whether both eyes have a picture: before an audience one is shown large in place of two that are
+    /// apart.
     #[must_use]
     pub fn has_both_eyes(&self) -> bool {
         let (settings, stage) = (&self.document.settings, &self.session.stage);

@@ -16,7 +16,8 @@ pub struct ToldSpeed {
 }
 
 impl ToldSpeed {
-    /// Returns the speed as a number with its sign: `0.900`, or `−0.900` backwards. A rider reads it at a glance.
+    /// Returns the speed as a number with its sign: `0.900`, or `−0.900` backwards. A rider reads it at a
+    /// glance.
     #[must_use]
     pub fn number(&self) -> String {
         let number = if self.is_own {
@@ -80,7 +81,8 @@ impl State {
         SpeedSetting::new(SpeedParameter::Rapidity, rapidity).unwrap_or(SpeedSetting::REST)
     }
 
-    /// Returns the velocity of a rider who sets the throttle to this `speed`: the way that the ride leads now.
+    /// Returns the velocity of a rider who sets the throttle to this `speed`: the way that the ride leads
+    /// now.
     #[must_use]
     pub fn throttled(&self, speed: SpeedSetting) -> Option<StreetVelocity> {
         let (parameter, value) = speed.given();

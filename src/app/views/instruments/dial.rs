@@ -1,5 +1,5 @@
-//! The dial of the rider's speed. Its arc shows the rapidity, to which every push adds evenly, while the speed
-//! only nears that of light.
+//! The dial of the rider's speed. Its arc shows the rapidity, to which every push adds evenly, while the
+//! speed only nears that of light.
 
 use std::f32::consts::TAU;
 use std::sync::Arc;

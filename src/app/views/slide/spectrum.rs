@@ -28,8 +28,8 @@ const BETWEEN: f32 = 6.0;
 /// The Doppler factors that are named where light is not of one wavelength.
 const NAMED: [f64; 7] = [1.0, 2.0, 0.5, 4.0, 0.25, 10.0, 0.1];
 
-/// Draws it into its place among the `columns`; `with_names` has Doppler factors named in it where it shows no
-/// wavelengths.
+/// Draws it into its place among the `columns`; `with_names` has Doppler factors named in it where it shows
+/// no wavelengths.
 pub fn paint(
     painter: &Painter,
     state: &State,

@@ -1,4 +1,5 @@
-//! The length of the selected rod, or of what has the selected point, in each picture of the close-up, written beside it.
+//! The length of the selected rod, or of what has the selected point, in each picture of the close-up,
+//! written beside it.
 
 use eframe::egui::TextStyle;
 use glam::DVec3;
