@@ -15,7 +15,7 @@ pub enum ShowCommand {
     Scene(&'static str),
     /// This preset, with defaults for all else but the parts of the window.
     Preset(&'static Preset),
-    /// The street, from the saddle of a bicycle that stands there.
+    /// Shows the street from the saddle of a resting bicycle.
     Ride,
     /// Goes this many steps on from what is shown, in the presenter's own sequence if there is one; a lesson
     /// goes on, or back.

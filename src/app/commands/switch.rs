@@ -18,7 +18,7 @@ pub enum Switch {
     Simple,
     /// The eyes of the present layout, swapped or not.
     Eyes,
-    /// One eye's picture, or if that is shown both eyes'.
+    /// Switches between one eye's picture and those of both eyes.
     BothEyes,
     /// The next other picture of the left eye that can be shown, compared with its own.
     Comparison,

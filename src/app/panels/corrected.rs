@@ -9,7 +9,7 @@ use crate::app::views::panes::{Pane, PaneTitle};
 use crate::app::widgets::pane_title;
 use crate::number_text;
 
-/// Draws `pane`.
+/// Draws the corrected picture into `pane`.
 pub fn show(ui: &Ui, pane: Pane, correction: &SpeedCorrection, picture: Option<&TextureHandle>) {
     let colour = ui.visuals().text_color();
     let by = if correction.is_fitted { "fitted" } else { "set" };

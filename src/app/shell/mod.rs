@@ -85,7 +85,7 @@ pub struct App {
     /// The moving picture of the start page, while that is shown.
     start_picture: Option<StartPicture>,
     watch: Option<Watch>,
-    /// Commands that wait until what was asked for before is shown.
+    /// Commands of a clicker, held back until the picture of the last one is shown.
     waiting: Vec<Command>,
     /// Writes what outlasts the window; none where nothing does.
     keeper: Option<Keeper>,

@@ -11,7 +11,7 @@ pub enum Overlay {
     Start,
     /// The lessons of the chapter with this number, from 0.
     Chapter(usize),
-    /// All presets.
+    /// The page of all presets, in groups.
     Presets,
 }
 

@@ -34,7 +34,7 @@ pub struct Audience {
     pub both_eyes: bool,
     /// The panel beside the picture, if one was chosen: else what a preset or the step of a lesson is about.
     pub panel: Option<SidePanel>,
-    /// Whether it is told the moment in words in place of a caption.
+    /// Whether the sentence of the moment replaces the caption.
     pub tells_moment: bool,
 }
 

@@ -8,7 +8,7 @@ use crate::flags::choices::Layout;
 /// Duration of a fade, seconds.
 pub const SECONDS: f64 = 0.2;
 
-/// What is shown, as far as a change of it fades.
+/// The parts of the state whose change begins a fade.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Looks {
     preset: Option<&'static str>,
@@ -28,8 +28,8 @@ pub struct Fade {
 }
 
 impl Fade {
-    /// Begins a frame with so many `pictures`. Returns whether those of the last frame are to be kept, as
-    /// they go from now on.
+    /// Begins a frame with this number of `pictures`. Returns whether a fade begins, for which the pictures
+    /// of the last frame are needed.
     pub fn begins(&mut self, ctx: &Context, state: &State, pictures: usize) -> bool {
         let preset = state.document.preset.map(|preset| preset.name);
         let layout = state.document.settings.picture.layout;
@@ -68,7 +68,7 @@ impl Fade {
         self.leaving.is_empty()
     }
 
-    /// Whether nothing goes.
+    /// Whether no fade is under way.
     pub const fn is_settled(&self) -> bool {
         self.leaving.is_empty()
     }

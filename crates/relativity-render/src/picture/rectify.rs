@@ -12,6 +12,7 @@
 
 use std::sync::LazyLock;
 
+use glam::DVec3;
 use relativity_core::doppler::intensity_factor;
 use relativity_core::math::{atan, sinh};
 use relativity_core::threads::prelude::*;
@@ -158,12 +159,12 @@ impl LightCorrection {
 /// The linear colour of `received` with the wavelength of its monochromatic part multiplied by `factor`; as
 /// it is if no light has its hue.
 fn shifted(received: [f64; 3], factor: f64) -> [f64; 3] {
-    let grey = least(received);
     let Some(wavelength_nm) = pure(received).and_then(wavelength_nm) else { return received };
+    let (received, own) = (DVec3::from(received), DVec3::from(linear_srgb(wavelength_nm)));
     // A screen shows the light of one wavelength with some grey of its own, see `in_gamut`.
-    let own = linear_srgb(wavelength_nm);
-    let intensity = (largest(received) - grey) / (largest(own) - least(own));
-    let rest = (grey - intensity * least(own)).max(0.0);
+    let range = |colour: DVec3| colour.max_element() - colour.min_element();
+    let intensity = range(received) / range(own);
+    let rest = (received.min_element() - intensity * own.min_element()).max(0.0);
     linear_srgb(wavelength_nm * factor).map(|part| intensity * part + rest)
 }
 
@@ -179,16 +180,9 @@ fn wavelength_nm(hue: [f64; 3]) -> Option<f64> {
 
 /// `colour` without its grey part, its largest component 1; `None` for grey.
 fn pure(colour: [f64; 3]) -> Option<[f64; 3]> {
-    let (grey, range) = (least(colour), largest(colour) - least(colour));
-    (range > 0.0).then(|| colour.map(|part| (part - grey) / range))
-}
-
-fn least(colour: [f64; 3]) -> f64 {
-    colour.into_iter().fold(f64::INFINITY, f64::min)
-}
-
-fn largest(colour: [f64; 3]) -> f64 {
-    colour.into_iter().fold(0.0, f64::max)
+    let colour = DVec3::from(colour);
+    let (grey, most) = (colour.min_element(), colour.max_element());
+    (most > grey).then(|| ((colour - grey) / (most - grey)).to_array())
 }
 
 fn linear_rgb([r, g, b, _]: [u8; 4]) -> [f64; 3] {

@@ -93,7 +93,7 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, commands
     }
 }
 
-/// Shows the question with what was said and what is.
+/// Shows the question, the given answer and the true one.
 fn compared(ui: &mut Ui, state: &State, running: &Running, step: &Step) {
     if let Some(prediction) = &step.prediction {
         cards::question(ui, &prediction.question);

@@ -27,7 +27,7 @@ const FEWEST: usize = 5;
 /// The cards of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cards {
-    /// Cards of chapters.
+    /// Chapters on the first page, one card each.
     Chapters,
     /// Large cards of lessons.
     Lessons,

@@ -10,7 +10,7 @@ use crate::settings::Preset;
 pub const HEADING: &str = "See what nobody has ever seen";
 pub const LINE: &str = "A street at nearly the speed of light, exactly as your two eyes would see it.";
 
-/// What a lesson does.
+/// Sentence about the course of a lesson.
 pub const LESSON: &str = "Each lesson asks for your guess, shows you what happens, and explains it.";
 
 /// Introduction to the presets.

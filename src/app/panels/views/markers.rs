@@ -96,7 +96,7 @@ fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
 }
 
-/// Writes below the marker at `place` how far away the eye sees the point, where that is asked for.
+/// Writes the seen distance of the point below its marker at `place`, if distances are switched on.
 fn distance(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     let is_on = state.document.settings.window.distances && state.shows_what_is_received(pane.eye);
     let Some(seen) = state.sighting(point, pane.eye).filter(|_| is_on) else { return };

@@ -130,7 +130,7 @@ pub fn paint_both(
     }
 }
 
-/// Draws the frame of a picture whose name stands there.
+/// Draws a frame around a picture that has a title.
 fn frame(ui: &Ui, rect: Rect, title: PaneTitle, colour: Color32) {
     if title != PaneTitle::Nowhere {
         ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);

@@ -52,7 +52,7 @@ pub struct Saddle {
     pub push: Option<Push>,
     /// The layout before one got on, which getting off gives back.
     pub layout_before: Option<Layout>,
-    /// How often the rider asked for keys, odometers and place.
+    /// Number of requests for keys, odometers and place.
     pub requests: u32,
 }
 

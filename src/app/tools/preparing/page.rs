@@ -3,7 +3,7 @@
 use eframe::egui::Context;
 use relativity_render::{Gpu, NeededPipeline, PipelineMaker};
 
-/// What makes pipelines.
+/// The maker of pipelines in a page, one between two frames.
 pub struct Preparing {
     ctx: Context,
     maker: PipelineMaker,

@@ -12,7 +12,7 @@ use crate::settings::Rider;
 pub struct Instruments {
     /// The rider's speed: "0.995 c".
     pub speed: String,
-    /// Its Lorentz factor: "γ = 10.1".
+    /// Lorentz factor of the rider: "γ = 10.1".
     pub gamma: String,
     /// Its rapidity, without a direction.
     pub rapidity: f64,

@@ -17,7 +17,6 @@ const MOST_BODIES: usize = 600;
 const COLOUR: Color32 = Color32::from_rgb(255, 224, 130);
 /// Length of the arrow's head, points.
 const HEAD: f32 = 10.0;
-const FONT_SIZE: f32 = theme::SMALL_SIZE;
 
 /// Draws both into `pane`, for each group that moves, where writing is `scale` times as large as by default.
 pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView, scale: f32) {
@@ -108,7 +107,7 @@ impl Resting<'_> {
         painter.add(Drawing::convex_polygon(head, COLOUR, Stroke::new(1.0, Color32::from_black_alpha(150))));
         let shown = self.pane.rect.x_range();
         let ends = [from.x, to.x].map(|x| shown.clamp(x));
-        let font = FontId::proportional(self.scale * FONT_SIZE);
+        let font = FontId::proportional(self.scale * theme::SMALL_SIZE);
         let galley = painter.layout_no_wrap(format!("η = {name}"), font, COLOUR);
         let middle = 0.5 * (ends[0] + ends[1]);
         let place = if is_above {

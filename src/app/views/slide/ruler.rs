@@ -15,7 +15,6 @@ use crate::app::widgets::theme;
 use crate::number_text;
 use crate::plot::{Axis, LabelPlaces};
 
-const FONT_SIZE: f32 = theme::SMALL_SIZE;
 /// Least space between two names.
 const BETWEEN: f32 = 8.0;
 /// Least distance of ticks without a name, points.
@@ -116,7 +115,7 @@ struct Ruler<'a> {
 
 impl Ruler<'_> {
     fn font(&self) -> FontId {
-        FontId::proportional(self.columns.scale * FONT_SIZE)
+        FontId::proportional(self.columns.scale * theme::SMALL_SIZE)
     }
 
     /// Ticks at round rapidities.

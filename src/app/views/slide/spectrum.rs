@@ -22,7 +22,6 @@ use crate::plot::LabelPlaces;
 const HATCH: f32 = 6.0;
 const INVISIBLE: Color32 = Color32::from_gray(58);
 const HATCH_COLOUR: Color32 = Color32::from_gray(120);
-const FONT_SIZE: f32 = theme::SMALL_SIZE;
 /// Least space between two names, points.
 const BETWEEN: f32 = 6.0;
 /// The Doppler factors that are named where light is not of one wavelength.
@@ -134,7 +133,7 @@ fn paint_false_colours(painter: &Painter, columns: &PixelColumns, strip: Rect, f
 }
 
 fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: &Speed) {
-    let font = FontId::proportional(columns.scale * FONT_SIZE);
+    let font = FontId::proportional(columns.scale * theme::SMALL_SIZE);
     if speed.beta() == 0.0 {
         painter.text(strip.center(), Align2::CENTER_CENTER, "D = 1 everywhere", font, Color32::WHITE);
         return;

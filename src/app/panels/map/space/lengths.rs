@@ -13,7 +13,7 @@ use crate::settings::MapFraming;
 /// From the middle of a rod to its label, points.
 const BESIDE: f32 = 12.0;
 const DECIMALS: u8 = 2;
-/// What is shorter than this share of its group is a part of it.
+/// A body shorter than this share of its group counts as a part of the group.
 const SMALL_PART: f64 = 0.5;
 
 /// The name of the length in each picture.

@@ -66,7 +66,7 @@ fn beyond(on: &mut SheetPainter<'_>) {
     }
 }
 
-/// Writes how far away the selected point is measured and seen, where that is asked for.
+/// Writes the measured and the seen distance of the selected point, if distances are switched on.
 fn distances(on: &mut SheetPainter<'_>) {
     let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
     if !state.document.settings.window.distances || sheet.projection != MapProjection::Plan {
