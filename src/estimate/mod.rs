@@ -1,6 +1,9 @@
 //! The report of `gamow fit`: one structure, written as JSON or as a table; and its data, [`data`] from files
 //! and [`samples`] of a point.
 
+pub mod cause;
+mod command;
+pub mod correction;
 pub mod data;
 pub mod other_side;
 pub mod residuals;
@@ -42,6 +45,9 @@ pub struct FitReport {
     /// Warning that the fit cannot be right, as residuals follow one another.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub warning: Option<String>,
+    /// What may be wrong, if something explains the readings, with the command that takes it into account.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cause: Option<String>,
     /// The bootstrap behind the uncertainties.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<BootstrapSummary>,
@@ -271,6 +277,7 @@ impl FitReport {
             model,
             data: None,
             warning,
+            cause: None,
             converged: true,
             riding: false,
             wheel,

@@ -36,6 +36,9 @@ impl fmt::Display for FitReport {
         if let Some(warning) = &self.warning {
             writeln!(f, "warning    {warning}")?;
         }
+        if let Some(cause) = &self.cause {
+            writeln!(f, "cause      {cause}")?;
+        }
         write!(f, "{}", self.fit)?;
         for (name, attempt) in [("dphi", &self.fits.dphi), ("dtheta", &self.fits.dtheta)] {
             match attempt {

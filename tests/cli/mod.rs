@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread;
 
+mod causes;
 mod data_files;
 mod errors;
 mod fit;

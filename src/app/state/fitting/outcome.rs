@@ -18,7 +18,7 @@ use crate::app::state::plots::curves::Bends;
 use crate::app::tools::worker::{StepOutcome, Wanted, Work};
 use crate::estimate::residuals::{self, Residuals};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
-use crate::estimate::{Estimate, estimate, other_side};
+use crate::estimate::{Estimate, cause, estimate, other_side};
 use crate::plot::CurveSample;
 
 /// The samples and what became of them.
@@ -60,6 +60,9 @@ pub struct Fitted {
     pub residuals: Option<Residuals>,
     /// Warning that the fit cannot be right, as its residuals follow one another.
     pub warning: Option<String>,
+    /// What may be wrong with a file's readings, if something explains them, with the command that fits them
+    /// then.
+    pub cause: Option<String>,
     /// The remark on z of the other sign, where that fits within the noise too.
     pub other_side: Option<String>,
     /// Why the uncertainties are by linearisation, not by the bootstrap.
@@ -233,10 +236,18 @@ impl Fitted {
             readings: best.readings,
             residuals,
             warning: residuals::remark(&[(best.options.curves.name(), residuals)]),
+            cause: if is_chance { None } else { cause_of(key, samples, best) },
             other_side: other_side::remark(best),
             no_bootstrap,
         })
     }
+}
+
+/// What explains the readings of a file that `best` does not, and the command for it.
+fn cause_of(key: &FitKey, samples: &Fittable, best: &Fit) -> Option<String> {
+    let Samples::Measured(file, _) = &key.samples else { return None };
+    let cause = cause::find(&samples.observations, &samples.options, Some(best.rms), samples.said)?;
+    Some(cause.told(&file.name, ""))
 }
 
 /// Delta-phi and Delta-theta of the best fit for a pair of eyes, where they are numbers.
@@ -353,7 +364,7 @@ mod tests {
             }
         };
         assert!(count > 5, "it could be stopped only {count} times");
-        let Fittable { observations, options } = key().fittable().expect("there are samples");
+        let Fittable { observations, options, .. } = key().fittable().expect("there are samples");
         let best = fit(&observations, &options).expect("they can be fitted");
         let replicates = bootstrap(&best, DEFAULT_REPLICATES, key().setup.seed).expect("and refitted");
         let outcome = sent(&outcome);
