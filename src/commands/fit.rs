@@ -97,7 +97,7 @@ fn separation(text: &str) -> Result<f64, String> {
     if is_separation(value) { Ok(value) } else { Err(format!("must be {SEPARATION}")) }
 }
 
-/// The most replicates: each takes 40 bytes, in each of three fits.
+/// The most replicates: each takes 56 bytes, in each of three fits.
 const MOST_REPLICATES: usize = 10_000_000;
 /// Duration, seconds, from which on that of the bootstrap is remarked on, and after which it can be
 /// estimated.
@@ -148,7 +148,13 @@ impl FitArgs {
             Some(cause.told(file, &self.given_flags()))
         };
         match fitted {
-            Ok(report) => {
+            Ok(mut report) => {
+                if self.correction.shift_dtheta.is_none() {
+                    report
+                        .outliers
+                        .iter_mut()
+                        .for_each(|found| found.line = data.lines.get(found.sample).copied());
+                }
                 let cause = report.warning.is_some().then(|| cause(Some(report.fit.rms))).flatten();
                 Ok(FitReport { riding: self.riding, data: data.treatment, cause, ..report })
             }

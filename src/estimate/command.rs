@@ -19,5 +19,5 @@ pub fn command(file: &str, options: &FitOptions) -> String {
         format!(" --wheel-radius {radius} --rho {rho} --angle={angle}")
     });
     let file = if file == "-" { file.to_owned() } else { Shell::here().file(file) };
-    format!("gamow fit {}{passage}{model}{used}{wheel}", file)
+    format!("gamow fit {file}{passage}{model}{used}{wheel}")
 }

@@ -6,6 +6,7 @@ mod command;
 pub mod correction;
 pub mod data;
 pub mod other_side;
+pub mod outliers;
 pub mod residuals;
 pub mod samples;
 pub mod sigmas;
@@ -17,6 +18,7 @@ use relativity_core::{
 use serde::{Deserialize, Serialize};
 
 use crate::number_text;
+use outliers::Outlier;
 use residuals::Residuals;
 
 /// The fit, and with both curves also the fit of each and their weighted mean.
@@ -48,6 +50,9 @@ pub struct FitReport {
     /// What may be wrong, if something explains the readings, with the command that takes it into account.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cause: Option<String>,
+    /// Readings that stand out.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub outliers: Vec<Outlier>,
     /// The bootstrap behind the uncertainties.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<BootstrapSummary>,
@@ -262,6 +267,7 @@ impl FitReport {
             (Some(azimuth), Some(polar)) => Fits::new(azimuth, polar),
             _ => Fits::default(),
         };
+        let outliers = outliers::find(&joint.0, observations);
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
         let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
@@ -278,6 +284,7 @@ impl FitReport {
             data: None,
             warning,
             cause: None,
+            outliers,
             converged: true,
             riding: false,
             wheel,

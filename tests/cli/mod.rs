@@ -18,6 +18,7 @@ mod help;
 mod irregular;
 mod lessons;
 mod numbers;
+mod outliers;
 mod pages;
 mod paper;
 mod quiet;

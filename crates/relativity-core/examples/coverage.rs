@@ -36,7 +36,8 @@ fn main() {
 /// Counts `sets` of so many `samples` with this noise, a share of each curve's range.
 fn row(sets: u64, options: &FitOptions, samples: usize, noise: f64) {
     let (mut fits, mut held) = (0_u32, [0_u32; 4]);
-    for seed in 0..sets {
+    let first = 100_000 * samples as u64 + (1e7 * noise) as u64;
+    for seed in first..first + sets {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let [beta, y, height] = [0.3..0.95, 1.0..5.0, 0.3..4.0].map(|range| random.random_range(range));
         let z = if random.random_bool(0.5) { height } else { -height };

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::plot_line::PlotLine;
 use crate::app::state::plots::curves::Bends;
 use crate::app::tools::worker::{StepOutcome, Wanted, Work};
+use crate::estimate::outliers::{self, Outlier};
 use crate::estimate::residuals::{self, Residuals};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::estimate::{Estimate, cause, estimate, other_side};
@@ -63,6 +64,8 @@ pub struct Fitted {
     /// What may be wrong with a file's readings, if something explains them, with the command that fits them
     /// then.
     pub cause: Option<String>,
+    /// Readings that stand out, in words.
+    pub outliers: Option<String>,
     /// The remark on z of the other sign, where that fits within the noise too.
     pub other_side: Option<String>,
     /// Why the uncertainties are by linearisation, not by the bootstrap.
@@ -79,6 +82,8 @@ pub struct FittedCurve {
     pub band: Vec<[f64; 2]>,
     /// Sample minus best fit.
     pub residuals: PlotLine,
+    /// Samples that stand out, and what is left of these.
+    pub outliers: [PlotLine; 2],
 }
 
 /// Greatest number of times at which the band is computed; in between it is interpolated.
@@ -218,6 +223,7 @@ impl Fitted {
         let residuals = best.serial.map(Residuals::from);
         let is_chance = residuals::are_chance(best);
         let observed = &samples.observations;
+        let found = outliers::find(best, observed);
         let at_samples: Vec<_> =
             observed.samples().iter().map(|sample| fitted_angles(best, sample.pair, sample.time)).collect();
         Ok(Self {
@@ -228,7 +234,7 @@ impl Fitted {
                 (observed, &at_samples),
                 range,
                 best,
-                replicates.as_ref().filter(|_| is_chance),
+                (replicates.as_ref().filter(|_| is_chance), &found),
             ),
             at_samples,
             rms: best.rms,
@@ -237,6 +243,7 @@ impl Fitted {
             residuals,
             warning: residuals::remark(&[(best.options.curves.name(), residuals)]),
             cause: if is_chance { None } else { cause_of(key, samples, best) },
+            outliers: outliers::remark(&found),
             other_side: other_side::remark(best),
             no_bootstrap,
         })
@@ -261,7 +268,7 @@ fn curves(
     (observed, at_samples): (&Observations, &[Option<[f64; 2]>]),
     range: [f64; 2],
     best: &Fit,
-    replicates: Option<&Bootstrap>,
+    (replicates, outliers): (Option<&Bootstrap>, &[Outlier]),
 ) -> [Option<FittedCurve>; 2] {
     let Some(&pair) = observed.pairs().first() else { return [None, None] };
     let bends = bends_of(key, pair, range, best);
@@ -273,10 +280,19 @@ fn curves(
         let residual = |(sample, fitted): (&Measured, &Option<[f64; 2]>)| {
             Some(PlotPoint::new(sample.time, reading(sample, curve)? - (*fitted)?[curve]))
         };
+        let value = |(sample, _): (&Measured, _)| Some(PlotPoint::new(sample.time, reading(sample, curve)?));
+        let samples = || observed.samples().iter().zip(at_samples);
+        let of_curve = outliers.iter().filter(|found| found.curve == curve);
+        let places: Vec<usize> = of_curve.map(|found| found.sample).collect();
+        let standing_out = || places.iter().filter_map(|&place| samples().nth(place));
         used[curve].then(|| FittedCurve {
             line: lines.iter().map(|line| PlotPoint::new(line.time, line.values[curve])).collect(),
             band: bands.iter().map(|band| band[curve]).collect(),
-            residuals: observed.samples().iter().zip(at_samples).filter_map(residual).collect(),
+            residuals: samples().filter_map(residual).collect(),
+            outliers: [
+                standing_out().filter_map(value).collect(),
+                standing_out().filter_map(residual).collect(),
+            ],
         })
     })
 }

@@ -267,7 +267,9 @@ fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
         "Root mean square of sample minus fit. Durbin-Watson is near 2 if residuals are chance, and near 0 if they follow one another, as where the model is wrong. Fit and bootstrap took {milliseconds} ms."
     );
     ui.label(RichText::new(text).weak().small()).on_hover_text(tip);
-    let wrong = [&fitted.warning, &fitted.cause].into_iter().filter_map(|told| told.as_deref().map(sentence));
+    let wrong = [&fitted.warning, &fitted.cause, &fitted.outliers]
+        .into_iter()
+        .filter_map(|told| told.as_deref().map(sentence));
     for told in wrong.chain(assumptions(outcome, fitted)) {
         ui.label(RichText::new(told).weak().small());
     }
