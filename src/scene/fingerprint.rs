@@ -140,7 +140,7 @@ mod tests {
         others[2].ground_z = None;
         others[3].bodies.swap(0, 1);
         others[4].bodies[0].emission = Emission::Wavelength(701.0);
-        others[7].bodies[0].emission = Emission::White;
+        others[7].bodies[0].emission = Emission::WHITE;
         others[8].bodies[0].brightness = 0.5;
         others[5].groups[0].count -= 1;
         others[6].groups[0].motion = Motion::Own(Velocity::REST);

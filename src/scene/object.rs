@@ -82,7 +82,7 @@ pub(super) fn emission(object: &Table) -> Result<Emission, Located> {
     let wavelength = object.size("wavelength_nm")?;
     match (object.string("light")?, wavelength) {
         (None, wavelength) => Ok(Emission::Wavelength(wavelength.unwrap_or(DEFAULT_WAVELENGTH_NM))),
-        (Some("white"), None) => Ok(Emission::White),
+        (Some("white"), None) => Ok(Emission::WHITE),
         (Some("white"), Some(_)) => {
             Err(object.wrong("wavelength_nm", "left out where light = \"white\", which has every wavelength"))
         }

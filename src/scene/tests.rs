@@ -423,7 +423,7 @@ fn an_object_may_be_white_and_dim() {
         Ok::<_, String>((body.emission, body.brightness))
     };
     assert_eq!(ball(""), Ok((Emission::Wavelength(700.0), 1.0)));
-    assert_eq!(ball("light = \"white\"\nbrightness = 0.25"), Ok((Emission::White, 0.25)));
+    assert_eq!(ball("light = \"white\"\nbrightness = 0.25"), Ok((Emission::WHITE, 0.25)));
     assert_eq!(ball("wavelength_nm = 600\nbrightness = 1"), Ok((Emission::Wavelength(600.0), 1.0)));
     for (light, problem) in [
         ("light = \"red\"", "light = \"red\" must be \"white\", or left out for light of one wavelength"),
