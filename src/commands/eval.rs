@@ -48,11 +48,16 @@ pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
     args.out.write(|out| evaluate(&name, input, args.model, out))
 }
 
+/// Whether these are the columns of observations: what stands before a header has not these names.
+fn is_header(names: &csv_in::Names) -> bool {
+    ["d", "y", "z", "T"].iter().filter(|name| !matches!(names.place(name), Ok(None))).count() > 2
+}
+
 /// Reads rows of `input`, called `name` in errors, and writes each with the columns appended.
 fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
     let plain = GivenInputs { is_turned: false, on_wheel: false, is_riding: false };
     model.columns(plain)?; // what has no such columns is no matter of a row
-    let mut input = csv_in::CsvReader::new(input).with_context(|| name.to_owned())?;
+    let mut input = csv_in::CsvReader::new(input, is_header).with_context(|| name.to_owned())?;
     let mut output = csv_out::CsvWriter::new(out);
     let mut row = ByteRecord::new();
 

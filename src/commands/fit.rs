@@ -22,7 +22,11 @@ use crate::number_text;
 /// right, radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (eye
 /// separation) unless --d gives it; roll and turn (radians) where the head was tilted or turned, unless
 /// --roll and --turn (degrees) say so. Other columns are ignored. A disparity that was not measured is left
-/// empty.
+/// empty, or is NaN, NA, #N/A or -.
+///
+/// Files of spreadsheets, `NumPy`, R, phyphox, Logger Pro and Tracker are read as they are: with units behind
+/// the names or in a row below them, as in `dphi (mrad)`; comments behind #; text above the header;
+/// semicolons, tabs or blanks between the fields; UTF-16. What was done to a file is said in one line.
 ///
 /// Data that do not determine the result are refused in one line, with exit status 2.
 #[derive(Debug, Args)]
@@ -132,7 +136,8 @@ impl FitArgs {
         let options = FitOptions { model: self.model, curves, passage, rolling: self.wheel.rolling() };
         let wanted = self.bootstrap;
         let fitted = FitReport::while_wanted(&data.observations, &options, wanted, self.seed, is_wanted);
-        Ok(FitReport { riding: self.riding, ..fitted.with_context(|| name.to_owned())? })
+        let fitted = fitted.with_context(|| name.to_owned())?;
+        Ok(FitReport { riding: self.riding, data: data.treatment, ..fitted })
     }
 
     /// Runs the fit with the replicates that are drawn until an interrupt.
@@ -158,6 +163,9 @@ impl FitArgs {
         });
         progress.finish_and_clear();
         let report = report?;
+        if let Some(treatment) = &report.data {
+            messages::remark(format_args!("gamow: {name}: {treatment}"));
+        }
         if noted.is_interrupted() {
             let drawn = report.bootstrap.as_ref().map_or(0, |bootstrap| bootstrap.replicates);
             messages::remark(format_args!("gamow: interrupted after {drawn} of {wanted} replicates"));

@@ -3,23 +3,27 @@
 
 pub mod data;
 pub mod other_side;
+pub mod residuals;
 pub mod samples;
 pub mod sigmas;
-
-use std::fmt;
+mod table;
 
 use relativity_core::{
-    Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, Rolling, combined, fit,
+    Bootstrap, Curves, Fit, FitError, FitOptions, Observations, Parameter, Rolling, combined, fit,
 };
 use serde::{Deserialize, Serialize};
 
 use crate::number_text;
+use residuals::Residuals;
 
 /// The fit, and with both curves also the fit of each and their weighted mean.
 #[derive(Debug, Serialize)]
 pub struct FitReport {
     /// The name of the [`Model`](relativity_core::Model).
     pub model: &'static str,
+    /// What was done to the file before it was fitted, if anything was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub data: Option<String>,
     /// Always true: what did not converge is an error.
     pub converged: bool,
     /// Whether the eyes rode past a point at rest: beta is their own speed, and x0 by how much the point is
@@ -35,6 +39,9 @@ pub struct FitReport {
     /// Remark on the sigmas, if the scatter is another than theirs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sigmas: Option<String>,
+    /// Warning that the fit cannot be right, as residuals follow one another.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub warning: Option<String>,
     /// The bootstrap behind the uncertainties.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<BootstrapSummary>,
@@ -70,6 +77,9 @@ pub struct CurvesFit {
     pub correlations: Vec<Vec<f64>>,
     /// Root mean square of the residuals, radians.
     pub rms: f64,
+    /// The test of the residuals; none where they are rounding.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub residuals: Option<Residuals>,
     /// Chi squared per degree of freedom, if there were sigmas.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduced_chi_squared: Option<f64>,
@@ -94,17 +104,31 @@ pub struct Parameters<T> {
     pub x0: Option<T>,
 }
 
-/// A value and its uncertainty.
+/// A value and its uncertainty, as far as there is one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Best value of the parameter.
     pub value: f64,
-    /// Standard error, by the bootstrap if there was one.
-    pub uncertainty: f64,
-    /// Interval that holds 95 %.
-    pub ci95: [f64; 2],
-    /// Standard error from the covariance at the best fit.
-    pub uncertainty_linear: f64,
+    /// Standard error, by the bootstrap if there was one. None follows where the residuals are no chance, and
+    /// none is one number where the value is at its limit.
+    pub uncertainty: Option<f64>,
+    /// Interval that holds 95 %, where the residuals are chance.
+    pub ci95: Option<[f64; 2]>,
+    /// Standard error from the covariance at the best fit, likewise.
+    pub uncertainty_linear: Option<f64>,
+    /// Standard deviation over the replicates, or that from the covariance: how many digits are worth
+    /// showing.
+    pub scatter: f64,
+}
+
+impl Estimate {
+    /// Number of decimals that are worth showing.
+    #[must_use]
+    pub fn decimals(&self) -> usize {
+        let width = self.ci95.map_or(0.0, |[low, high]| high - low);
+        // At a limit the replicates may all be there.
+        number_text::decimals_of(if self.scatter > 0.0 { self.scatter } else { width })
+    }
 }
 
 /// The summary of a bootstrap.
@@ -148,26 +172,30 @@ pub enum Attempt {
 /// A weighted mean of two estimates.
 #[derive(Debug, Clone, Serialize)]
 pub struct Mean {
-    /// Weighted mean.
-    pub value: f64,
-    /// Standard error of the mean.
-    pub uncertainty: f64,
-    /// Interval that holds 95 % of the replicates.
-    pub ci95: [f64; 2],
+    /// Weighted mean; none where one of the estimates is at its limit, so that its weight is none.
+    pub value: Option<f64>,
+    /// Standard error of the mean, where the residuals of both fits are chance.
+    pub uncertainty: Option<f64>,
+    /// Interval that holds 95 % of the replicates, likewise.
+    pub ci95: Option<[f64; 2]>,
     /// Correlation between both estimates.
     pub correlation: f64,
     /// By how many of its own standard errors the difference of both estimates is off 0.
     pub disagreement: f64,
 }
 
-impl From<Combined> for Mean {
-    fn from(mean: Combined) -> Self {
+impl Mean {
+    /// The mean of both fits' estimates of `parameter`.
+    fn new(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), parameter: Parameter) -> Self {
+        let mean = combined(azimuth, polar, parameter);
+        let is_one = ![azimuth.0, polar.0].iter().any(|fit| fit.is_at_limit(parameter));
+        let is_stated = is_one && residuals::are_chance(azimuth.0) && residuals::are_chance(polar.0);
         Self {
-            value: mean.value,
-            uncertainty: mean.standard_error,
-            ci95: mean.interval_95,
+            value: is_one.then_some(mean.value),
+            uncertainty: is_stated.then_some(mean.standard_error),
+            ci95: is_stated.then_some(mean.interval_95),
             correlation: mean.correlation,
-            disagreement: mean.disagreement,
+            disagreement: if is_one { mean.disagreement } else { 0.0 },
         }
     }
 }
@@ -177,9 +205,6 @@ impl From<Combined> for Mean {
 const ROUND_SAMPLES: usize = 1_000_000;
 const LEAST_ROUND: usize = 16;
 const MOST_ROUND: usize = 4096;
-
-/// Difference of the estimates of both curves, in standard errors, beyond which it is remarked on.
-const AGREEING: f64 = 3.0;
 
 /// A fit and its bootstrap, if there is one.
 type BootstrappedFit = (Fit, Option<Bootstrap>);
@@ -235,7 +260,25 @@ impl FitReport {
         let fit = CurvesFit::new(&joint);
         let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
         let wheel = options.rolling.map(WheelPlace::from);
-        Ok(Self { model, converged: true, riding: false, wheel, sigmas, fit, bootstrap, fits })
+        let of_curve = |attempt: &Option<Attempt>| match attempt {
+            Some(Attempt::Fit(fit)) => fit.residuals,
+            _ => None,
+        };
+        let tested =
+            [(fit.curves, fit.residuals), ("dphi", of_curve(&fits.dphi)), ("dtheta", of_curve(&fits.dtheta))];
+        let warning = residuals::remark(&tested);
+        Ok(Self {
+            model,
+            data: None,
+            warning,
+            converged: true,
+            riding: false,
+            wheel,
+            sigmas,
+            fit,
+            bootstrap,
+            fits,
+        })
     }
 }
 
@@ -243,7 +286,7 @@ impl Fits {
     fn new(azimuth: Result<BootstrappedFit, FitError>, polar: Result<BootstrappedFit, FitError>) -> Self {
         let combined = match (&azimuth, &polar) {
             (Ok((azimuth, Some(a))), Ok((polar, Some(p)))) => {
-                let mean = |parameter| combined((azimuth, a), (polar, p), parameter).into();
+                let mean = |parameter| Mean::new((azimuth, a), (polar, p), parameter);
                 Some(Parameters::new(azimuth.parameters(), mean))
             }
             _ => None,
@@ -274,6 +317,7 @@ impl CurvesFit {
             parameters: Parameters::new(parameters, |parameter| estimate(fit, bootstrap.as_ref(), parameter)),
             correlations: parameters.iter().map(row).collect(),
             rms: fit.rms,
+            residuals: fit.serial.map(Residuals::from),
             reduced_chi_squared: fit.reduced_chi_squared,
             readings: fit.readings,
             other_side: other_side::remark(fit),
@@ -284,13 +328,20 @@ impl CurvesFit {
 /// `parameter` and its uncertainty: by the bootstrap, or from the covariance without one.
 #[must_use]
 pub fn estimate(fit: &Fit, bootstrap: Option<&Bootstrap>, parameter: Parameter) -> Estimate {
-    let value = fit.value(parameter);
-    let uncertainty_linear = fit.standard_error(parameter);
-    let (uncertainty, ci95) = bootstrap.map_or_else(
-        || (uncertainty_linear, fit.interval_95(parameter)),
+    let linear = fit.standard_error(parameter);
+    let (scatter, ci95) = bootstrap.map_or_else(
+        || (linear, fit.interval_95(parameter)),
         |bootstrap| (bootstrap.standard_error(parameter), bootstrap.interval_95(parameter)),
     );
-    Estimate { value, uncertainty, ci95, uncertainty_linear }
+    let is_stated = residuals::are_chance(fit);
+    let is_one = is_stated && !fit.is_at_limit(parameter);
+    Estimate {
+        value: fit.value(parameter),
+        uncertainty: is_one.then_some(scatter),
+        ci95: is_stated.then_some(ci95),
+        uncertainty_linear: is_stated.then_some(linear),
+        scatter,
+    }
 }
 
 impl<T> Parameters<T> {
@@ -303,92 +354,4 @@ impl<T> Parameters<T> {
         let all = [Some(&self.beta), Some(&self.y), Some(&self.z), self.x0.as_ref()];
         Parameter::ALL.into_iter().zip(all).filter_map(|(parameter, value)| Some((parameter, value?)))
     }
-}
-
-impl fmt::Display for FitReport {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "model      {}", self.model)?;
-        if self.riding {
-            let x0 = "x0 how far the point is behind when the clock shows 0, contracted";
-            writeln!(f, "riding     beta is the observer's own speed, {x0}")?;
-        }
-        if let Some(WheelPlace { wheel_radius, rho, angle }) = self.wheel {
-            let known = format!("radius {wheel_radius}, rho {rho}, angle {angle}");
-            writeln!(f, "wheel      {known}, taken as known: y, z and x0 are the hub's")?;
-        }
-        match &self.bootstrap {
-            Some(BootstrapSummary { replicates, failed, seed }) => {
-                writeln!(f, "bootstrap  {replicates} replicates, seed {seed}, {failed} failed")?;
-            }
-            None => writeln!(f, "bootstrap  none")?,
-        }
-        if let Some(remark) = &self.sigmas {
-            writeln!(f, "sigmas     {remark}")?;
-        }
-        write!(f, "{}", self.fit)?;
-        for (name, attempt) in [("dphi", &self.fits.dphi), ("dtheta", &self.fits.dtheta)] {
-            match attempt {
-                Some(Attempt::Fit(outcome)) => write!(f, "{outcome}")?,
-                Some(Attempt::Failure { problem }) => writeln!(f, "\n{name}: no fit: {problem}")?,
-                None => {}
-            }
-        }
-        let Some(combined) = &self.fits.combined else { return Ok(()) };
-        writeln!(f, "\nweighted mean of dphi and dtheta")?;
-        writeln!(f, "  {:29} {:24} correlation", "     value +- uncertainty", "95 % interval")?;
-        for (parameter, mean) in combined.iter() {
-            write_estimate(f, parameter, mean.value, mean.uncertainty, mean.ci95)?;
-            writeln!(f, "  {}", correlation_text(mean.correlation))?;
-        }
-        for (parameter, mean) in combined.iter().filter(|(_, mean)| mean.disagreement > AGREEING) {
-            let (name, sigmas) = (parameter.name(), number_text::significant(mean.disagreement, 2));
-            writeln!(
-                f,
-                "  {name} differs by {sigmas} standard errors between dphi and dtheta: the model may be wrong"
-            )?;
-        }
-        Ok(())
-    }
-}
-
-impl fmt::Display for CurvesFit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "\n{}: {} readings, rms {:.3e} rad", self.curves, self.readings, self.rms)?;
-        match self.reduced_chi_squared {
-            Some(reduced) => writeln!(f, ", reduced chi squared {reduced:.3}")?,
-            None => writeln!(f)?,
-        }
-        writeln!(f, "  {:29} {:24} linear     correlations", "     value +- uncertainty", "95 % interval")?;
-        for ((parameter, estimate), correlations) in self.parameters.iter().zip(&self.correlations) {
-            write_estimate(f, parameter, estimate.value, estimate.uncertainty, estimate.ci95)?;
-            write!(f, "  {:.1e} ", estimate.uncertainty_linear)?;
-            for correlation in correlations {
-                write!(f, "{:>7}", correlation_text(*correlation))?;
-            }
-            writeln!(f)?;
-        }
-        if let Some(remark) = &self.other_side {
-            writeln!(f, "  {remark}")?;
-        }
-        Ok(())
-    }
-}
-
-/// Returns the correlation; a dash for parameters that no replicate moves, as without noise.
-fn correlation_text(correlation: f64) -> String {
-    if correlation.is_finite() { format!("{correlation:.3}") } else { "-".to_owned() }
-}
-
-/// A line of a table, with as many decimals as the uncertainty calls for.
-fn write_estimate(
-    f: &mut fmt::Formatter<'_>,
-    parameter: Parameter,
-    value: f64,
-    uncertainty: f64,
-    [low, high]: [f64; 2],
-) -> fmt::Result {
-    let decimals = number_text::decimals_of(uncertainty);
-    let value = format!("{value:.decimals$} +- {uncertainty:.decimals$}");
-    let interval = format!("{low:.decimals$} ... {high:.decimals$}");
-    write!(f, "  {:5}{value:24} {interval:24}", parameter.name())
 }

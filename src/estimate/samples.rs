@@ -188,6 +188,8 @@ pub struct DataFile {
     pub has_sigmas: bool,
     /// Whether the file contains the separation of the eyes.
     pub has_separation: bool,
+    /// What was done to the file before it was fitted, if anything was.
+    pub treatment: Option<String>,
 }
 
 impl DataFile {
@@ -200,9 +202,10 @@ impl DataFile {
         let place = files::shown(path);
         let bytes = files::read(path, sizes::FILE_BYTES).with_context(|| place.clone())?;
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let mut file = Self { place, name, bytes, has_sigmas: false, has_separation: false };
+        let mut file = Self { place, name, bytes, has_sigmas: false, has_separation: false, treatment: None };
         let data = file.data(baseline)?;
         (file.has_sigmas, file.has_separation) = (data.has_sigmas, data.has_separation);
+        file.treatment = data.treatment;
         Ok(file)
     }
 

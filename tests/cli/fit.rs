@@ -300,7 +300,9 @@ fn what_the_data_cannot_tell_is_said() {
 fn readings_that_were_not_made_are_left_out() {
     let mut csv = noisy_curve(&["T", "dphi", "dtheta"], "exact");
     csv.push_str("9.0,,\n9.1,-0.002,\n");
-    let report = fitted(&csv, "--d 0.1 --json --bootstrap 0");
+    let outcome = run(gamow().args(["fit", "--d", "0.1", "--json", "--bootstrap", "0"]), csv.as_bytes());
+    assert_eq!(outcome.stderr, "gamow: standard input: 3 readings not taken left out\n");
+    let report: Value = serde_json::from_slice(&outcome.stdout).expect("JSON");
     assert_eq!(report["readings"], 481);
     assert_eq!(report["fits"]["dtheta"]["readings"], 240);
 }

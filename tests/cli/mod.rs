@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread;
 
+mod data_files;
 mod errors;
 mod fit;
 #[cfg(target_os = "linux")]

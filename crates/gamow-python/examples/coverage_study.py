@@ -28,8 +28,8 @@ def replicate(speed, noise, number):
         found = gamow.fit({"T": curve["T"], "d": POINT["d"], **readings}, bootstrap=100, seed=number + 1)
     except ValueError:
         return None
-    low, high = found["parameters"]["beta"]["ci95"]
-    return bool(low <= speed <= high)
+    interval = found["parameters"]["beta"]["ci95"]
+    return interval is not None and interval[0] <= speed <= interval[1]
 
 
 def study(client, speeds=SPEEDS, noises=NOISES, replicates=REPLICATES):

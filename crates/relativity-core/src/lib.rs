@@ -117,7 +117,7 @@ pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
     Curves, Fit, FitError, FitOptions, NotConverged, Observations, OtherSide, Parameter, Passage, Reading,
-    Rolling, Sample, Simulation, fit, fit_from,
+    Rolling, Sample, SerialCorrelation, Simulation, fit, fit_from,
 };
 pub use model::{Model, PairError};
 pub use observer::{Observer, ObserverError, ObserverVelocity, RelativeVelocity};

@@ -86,6 +86,8 @@ functions! {
     cosh = coshf, cosh(x);
     /// The hyperbolic tangent of x.
     tanh = tanhf, tanh(x);
+    /// The natural logarithm of the magnitude of the gamma function of x.
+    ln_gamma = lgammaf, lgamma(x);
     /// The number whose hyperbolic sine is x.
     asinh = asinhf, asinh(x);
     /// The number whose hyperbolic tangent is x; NaN outside [-1, 1].

@@ -276,7 +276,7 @@ fn paper_errors() -> [f64; 3] {
 fn cell(report: &crate::estimate::FitReport, fit: usize, parameter: usize) -> String {
     let of_outcome = |outcome: &CurvesFit| {
         let estimate = pick(&outcome.parameters, parameter);
-        written(estimate.value, estimate.uncertainty)
+        written(estimate.value, estimate.scatter)
     };
     let of_attempt = |attempt: &Option<Attempt>| match attempt {
         Some(Attempt::Fit(outcome)) => of_outcome(outcome),
@@ -290,7 +290,11 @@ fn cell(report: &crate::estimate::FitReport, fit: usize, parameter: usize) -> St
             || "none".to_owned(),
             |means| {
                 let mean = pick(means, parameter);
-                written(mean.value, mean.uncertainty)
+                match (mean.value, mean.uncertainty) {
+                    (Some(value), Some(uncertainty)) => written(value, uncertainty),
+                    (Some(value), None) => crate::number_text::significant(value, 3),
+                    _ => "none".to_owned(),
+                }
             },
         ),
         _ => of_outcome(&report.fit),

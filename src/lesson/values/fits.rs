@@ -13,7 +13,7 @@ pub const VALUES: &[Value] = &[
     Value {
         name: "fit_beta_sigma",
         what: "its standard error, by the bootstrap",
-        work_out: |here| here.fitted(|fitted| fitted[0].estimate.uncertainty),
+        work_out: |here| here.fitted(|fitted| fitted[0].estimate.scatter),
     },
     Value {
         name: "fit_beta_off",
@@ -28,7 +28,7 @@ pub const VALUES: &[Value] = &[
     Value {
         name: "fit_y_sigma",
         what: "its standard error, by the bootstrap",
-        work_out: |here| here.fitted(|fitted| fitted[1].estimate.uncertainty),
+        work_out: |here| here.fitted(|fitted| fitted[1].estimate.scatter),
     },
     Value {
         name: "fit_y_off",
@@ -43,7 +43,7 @@ pub const VALUES: &[Value] = &[
     Value {
         name: "fit_z_sigma",
         what: "its standard error, by the bootstrap",
-        work_out: |here| here.fitted(|fitted| fitted[2].estimate.uncertainty),
+        work_out: |here| here.fitted(|fitted| fitted[2].estimate.scatter),
     },
     Value {
         name: "fit_z_off",

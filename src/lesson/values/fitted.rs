@@ -21,10 +21,10 @@ pub struct FittedParameter {
 }
 
 impl FittedParameter {
-    /// Deviation from the truth in standard errors, up or down.
+    /// Deviation from the truth, in standard deviations over the replicates, up or down.
     #[must_use]
     pub fn sigmas_off(&self) -> f64 {
-        ((self.estimate.value - self.truth) / self.estimate.uncertainty).abs()
+        ((self.estimate.value - self.truth) / self.estimate.scatter).abs()
     }
 }
 

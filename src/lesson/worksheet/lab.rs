@@ -69,7 +69,7 @@ fn results(
     let spread = bootstrap(&found, DEFAULT_REPLICATES, settings.fit.seed)?;
     let mut expected = String::new();
     for parameter in found.parameters() {
-        let Estimate { value, uncertainty, .. } = estimate(&found, Some(&spread), *parameter);
+        let Estimate { value, scatter: uncertainty, .. } = estimate(&found, Some(&spread), *parameter);
         let decimals = (1.0 - math::log10(uncertainty).floor()).clamp(0.0, 9.0) as u8;
         let [value, uncertainty] = [value, uncertainty].map(|value| decimal(value, decimals));
         let truth = decimal(taken.true_value(*parameter), decimals);

@@ -174,7 +174,8 @@ def fit(data: _Path | Mapping[str, ArrayLike], /, **flags: Any) -> dict[str, Any
             0 for none), seed, x0, fit_x0, riding, wheel_radius, rho, angle.
 
     Returns:
-        The report: parameters (each with value, uncertainty, ci95 and uncertainty_linear), correlations, rms (radians),
+        The report: parameters (each with value, uncertainty, ci95 and uncertainty_linear, None where the residuals
+        are no chance, and the replicates' scatter), residuals, warning, correlations, rms (radians),
         reduced_chi_squared, readings, bootstrap, fits and more, the same for the same seed on any number of threads.
 
     Raises:

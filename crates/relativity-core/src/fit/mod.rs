@@ -25,6 +25,7 @@ mod problem;
 mod regular;
 mod rolling;
 mod search;
+mod serial;
 mod simulation;
 mod start;
 mod trial;
@@ -34,6 +35,7 @@ mod wheel_start;
 pub use error::{FitError, NotConverged};
 pub use observations::{Observations, Reading, Sample};
 pub use options::{Curves, FitOptions, Parameter, Passage};
+pub use serial::{FALSE_ALARM, SerialCorrelation};
 pub use simulation::Simulation;
 pub use trial::Rolling;
 
@@ -72,6 +74,9 @@ pub struct Fit {
     pub reduced_chi_squared: Option<f64>,
     /// Readings that were fitted.
     pub readings: usize,
+    /// Whether the residuals follow one another; `None` where they are rounding, within [`NOISE_FREE_ERROR`]
+    /// of the curves' range, or where there are hardly more readings than parameters.
+    pub serial: Option<SerialCorrelation>,
     /// The best fit on the other side of z = 0, where the search looked there: of a wheel's point seen in
     /// Delta-phi alone.
     pub other_side: Option<OtherSide>,
@@ -122,6 +127,12 @@ impl Fit {
         let least = if is_bounded { 0.0 } else { f64::NEG_INFINITY };
         let most = if parameter == Parameter::Beta { 1.0 } else { f64::INFINITY };
         [(value - half).max(least), (value + half).min(most)]
+    }
+
+    /// Whether the best value of `parameter` is the end of its domain: z = 0 where only |z| matters.
+    #[must_use]
+    pub fn is_at_limit(&self, parameter: Parameter) -> bool {
+        parameter == Parameter::Z && self.values[2] == 0.0 && self.problem.is_even_in_z()
     }
 
     /// Correlation of two fitted parameters by linearisation.
@@ -219,11 +230,15 @@ fn fit_downhill(mut data: PreparedData, options: &FitOptions, starts: &Starts) -
     let reduced = cost / data.degrees_of_freedom();
     let scatter = if data.has_all_sigmas { 1.0 } else { reduced };
     let covariance = verdict::covariance(&data.problem, &trial, scatter)?;
+    let rms = data.rms(&trial, [true, true]);
+    let is_noisy = rms > NOISE_FREE_ERROR * data.range();
+    let serial = if is_noisy { SerialCorrelation::of(&data.problem, &trial) } else { None };
     Ok(Fit {
         options: *options,
         values: trial.reported(),
         covariance: reported_covariance(&data.problem, &trial, &covariance),
-        rms: data.rms(&trial, [true, true]),
+        rms,
+        serial,
         reduced_chi_squared: data.has_all_sigmas.then_some(reduced),
         readings: data.problem.readings(),
         other_side: other_side

@@ -103,6 +103,11 @@ impl PreparedData {
         if count == 0.0 { 0.0 } else { f64::sqrt(sum / count) }
     }
 
+    /// Largest range of a fitted curve.
+    pub fn range(&self) -> f64 {
+        self.ranges[0].max(self.ranges[1])
+    }
+
     /// Weighed sum of squares about the mean of each curve.
     pub fn variation(&self) -> f64 {
         (0..2).map(|curve| self.variation_of(curve)).sum()

@@ -49,6 +49,9 @@ impl PreparedSample {
 /// The free parameters: ln(rapidity), ln(y), z and the time of passage t0.
 pub(crate) type Free = Vector4<f64>;
 
+/// A weighed residual, and its derivatives by the free or the regular parameters.
+pub(crate) type Residual = (f64, Vector4<f64>);
+
 /// The data and the model.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem {

@@ -4,8 +4,10 @@
 //! there, and least squares crawl. They have one with respect to u = hypot(z, s) - s, which is z^2/(2 s) near
 //! z = 0 and |z| far above, for any length s; and u stops at 0.
 
+use nalgebra::Vector4;
+
 use crate::fit::gradients::Gradient;
-use crate::fit::problem::{Free, NormalEquations, Problem};
+use crate::fit::problem::{Free, NormalEquations, PreparedSample, Problem, Residual};
 use crate::fit::trial::Trial;
 use crate::math;
 
@@ -53,6 +55,17 @@ impl<'a> RegularProblem<'a> {
             sum.add(&self.problem.slopes(&trial, row), row, count);
         }
         sum.in_free_parameters(self.chain(&trial))
+    }
+
+    /// Delta-phi and Delta-theta of `row` at `trial`, as weighed residuals with their derivatives.
+    pub fn weighed(&self, trial: &Trial, row: &PreparedSample) -> [Residual; 2] {
+        let trial = self.raised(trial);
+        let (slopes, chain) = (self.problem.slopes(&trial, row), Vector4::from(self.chain(&trial)));
+        std::array::from_fn(|curve| {
+            let weight = row.weights[curve];
+            let gradient = Vector4::from(slopes.gradients[curve]).component_mul(&chain);
+            (weight * (slopes.angles[curve] - row.values[curve]), weight * gradient)
+        })
     }
 
     /// Each row's part in the normal equations at `trial`.

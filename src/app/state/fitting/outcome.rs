@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::plot_line::PlotLine;
 use crate::app::state::plots::curves::Bends;
 use crate::app::tools::worker::{StepOutcome, Wanted, Work};
+use crate::estimate::residuals::{self, Residuals};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::estimate::{Estimate, estimate, other_side};
 use crate::plot::CurveSample;
@@ -55,6 +56,10 @@ pub struct Fitted {
     pub reduced_chi_squared: Option<f64>,
     /// Number of readings fitted.
     pub readings: usize,
+    /// The test of the residuals; none where they are rounding.
+    pub residuals: Option<Residuals>,
+    /// Warning that the fit cannot be right, as its residuals follow one another.
+    pub warning: Option<String>,
     /// The remark on z of the other sign, where that fits within the noise too.
     pub other_side: Option<String>,
     /// Why the uncertainties are by linearisation, not by the bootstrap.
@@ -207,16 +212,27 @@ impl Fitted {
         if estimates.iter().any(|(_, estimate, _)| !estimate.value.is_finite()) {
             return Err("the best fit has a parameter that is not finite".to_owned());
         }
+        let residuals = best.serial.map(Residuals::from);
+        let is_chance = residuals::are_chance(best);
         let observed = &samples.observations;
         let at_samples: Vec<_> =
             observed.samples().iter().map(|sample| fitted_angles(best, sample.pair, sample.time)).collect();
         Ok(Self {
             estimates,
-            curves: curves(key, (observed, &at_samples), range, best, replicates.as_ref()),
+            // No band where no uncertainty follows.
+            curves: curves(
+                key,
+                (observed, &at_samples),
+                range,
+                best,
+                replicates.as_ref().filter(|_| is_chance),
+            ),
             at_samples,
             rms: best.rms,
             reduced_chi_squared: best.reduced_chi_squared,
             readings: best.readings,
+            residuals,
+            warning: residuals::remark(&[(best.options.curves.name(), residuals)]),
             other_side: other_side::remark(best),
             no_bootstrap,
         })

@@ -16,6 +16,8 @@ use crate::units::Unit;
 const CHANCE: f64 = 3.0;
 /// Below this share of a parameter its uncertainty is rounding, and no measure of anything.
 const ROUNDING: f64 = 1e-10;
+/// Shown for an uncertainty that there is none of.
+const NOT_STATED: &str = "—";
 /// The number of the interval's column.
 const INTERVAL: usize = 3;
 
@@ -60,6 +62,9 @@ fn newest<'a>(
             if let Some(verdict) = verdict(fitted) {
                 ui.label(RichText::new(verdict).strong());
             }
+            if fitted.warning.is_some() {
+                ui.label(RichText::new("The residuals follow one another: no uncertainty.").strong());
+            }
         }
         Err(problem) => {
             ui.label(RichText::new("No fit").strong());
@@ -84,7 +89,7 @@ fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: TableColumns) {
         let mut heads = vec![
             ("", "Parameter"),
             ("value", "The best fit: least sum of squared residuals."),
-            ("±", "Standard error: standard deviation over the bootstrap's replicates, refits of samples drawn with replacement."),
+            ("±", "Standard error: standard deviation over the bootstrap's replicates, refits of samples drawn with replacement. — where the residuals follow one another: none follows then."),
             ("95 %", "Interval that holds 95 % of the replicates: from the 2.5th to the 97.5th percentile."),
         ];
         if columns == TableColumns::Few {
@@ -93,7 +98,7 @@ fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: TableColumns) {
         if fitted.estimates.iter().any(|(.., truth)| truth.is_some()) {
             heads.extend([
                 ("truth", "What the samples were made with."),
-                ("off", "(value − truth) / standard error"),
+                ("off", "(value − truth) / standard deviation over the replicates"),
             ]);
         }
         for (head, tip) in heads {
@@ -112,9 +117,10 @@ fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: TableColumns) {
 fn shown(estimate: &Estimate, unit: Unit) -> Estimate {
     Estimate {
         value: unit.shown(estimate.value),
-        uncertainty: unit.shown(estimate.uncertainty),
-        ci95: estimate.ci95.map(|end| unit.shown(end)),
-        uncertainty_linear: unit.shown(estimate.uncertainty_linear),
+        uncertainty: estimate.uncertainty.map(|value| unit.shown(value)),
+        ci95: estimate.ci95.map(|ends| ends.map(|end| unit.shown(end))),
+        uncertainty_linear: estimate.uncertainty_linear.map(|value| unit.shown(value)),
+        scatter: unit.shown(estimate.scatter),
     }
 }
 
@@ -128,15 +134,19 @@ fn row(
     columns: TableColumns,
 ) {
     let (symbol, tip) = named(parameter);
-    let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
-    let places = number_text::decimals_of(uncertainty) as u8;
+    let Estimate { value, uncertainty, ci95, .. } = *estimate;
+    let places = estimate.decimals() as u8;
     let number = |value| number_text::fixed(value, places);
     ui.label(unit.label(symbol)).on_hover_text(tip);
     let value_text = RichText::new(number(value)).strong();
     named_text(ui, value_text, format!("Fitted {symbol}: {}", number(value)));
-    named_text(ui, number(uncertainty), format!("Uncertainty of {symbol}: {}", number(uncertainty)));
+    let uncertainty = uncertainty.map_or_else(|| NOT_STATED.to_owned(), number);
+    named_text(ui, uncertainty.as_str(), format!("Uncertainty of {symbol}: {uncertainty}"));
     if columns == TableColumns::All {
-        let interval = format!("{} … {}", number(low), number(high));
+        let interval = ci95.map_or_else(
+            || NOT_STATED.to_owned(),
+            |[low, high]| format!("{} … {}", number(low), number(high)),
+        );
         named_text(ui, interval.as_str(), format!("95 % interval of {symbol}: {interval}"));
     }
     if let Some(truth) = truth {
@@ -159,11 +169,11 @@ fn named(parameter: Parameter) -> (&'static str, &'static str) {
 }
 
 fn is_rounding(estimate: &Estimate, truth: f64) -> bool {
-    estimate.uncertainty <= ROUNDING * truth.abs().max(ROUNDING)
+    estimate.scatter <= ROUNDING * truth.abs().max(ROUNDING)
 }
 
 fn deviation(estimate: &Estimate, truth: f64) -> f64 {
-    (estimate.value - truth) / estimate.uncertainty
+    (estimate.value - truth) / estimate.scatter
 }
 
 /// Writes the error of an estimate: in standard errors, or itself if those mean nothing.
@@ -211,7 +221,7 @@ fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
         }
         Samples::Measured(file, baseline) => (file, baseline),
     };
-    let mut told = Vec::new();
+    let mut told: Vec<String> = file.treatment.as_deref().map(sentence).into_iter().collect();
     if !file.has_separation {
         let d = number_text::trimmed(baseline.separation, 4);
         told.push(format!("The file has no column d: the eyes are d = {d} apart, as set."));
@@ -248,11 +258,16 @@ fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
         None => format!("{DEFAULT_REPLICATES} replicates"),
         Some(_) => "no bootstrap".to_owned(),
     };
-    let text = format!("rms {rms} rad  ·  {} readings  ·  {uncertainties}", fitted.readings);
+    let serial = fitted.residuals.map_or_else(String::new, |residuals| {
+        format!("  ·  Durbin-Watson {}", number_text::fixed(residuals.durbin_watson, 2))
+    });
+    let text = format!("rms {rms} rad{serial}  ·  {} readings  ·  {uncertainties}", fitted.readings);
     // The time is no part of the picture: the same state is drawn the same.
-    let tip = format!("Root mean square of sample minus fit. Fit and bootstrap took {milliseconds} ms.");
+    let tip = format!(
+        "Root mean square of sample minus fit. Durbin-Watson is near 2 if residuals are chance, and near 0 if they follow one another, as where the model is wrong. Fit and bootstrap took {milliseconds} ms."
+    );
     ui.label(RichText::new(text).weak().small()).on_hover_text(tip);
-    for told in assumptions(outcome, fitted) {
+    for told in fitted.warning.as_deref().map(sentence).into_iter().chain(assumptions(outcome, fitted)) {
         ui.label(RichText::new(told).weak().small());
     }
     if let Some(problem) = &fitted.no_bootstrap {
