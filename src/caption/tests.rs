@@ -195,7 +195,7 @@ fn the_published_model_says_so() {
 #[test]
 fn light_of_many_wavelengths_is_told_by_its_shift() {
     let name = || "the house".to_owned();
-    let broad = Moment::new(&settings(0.9, 0.1), &POINT, name(), Emission::White, 12.0);
+    let broad = Moment::new(&settings(0.9, 0.1), &POINT, name(), Emission::WHITE, 12.0);
     assert!(broad.sentence().ends_with("redder than at rest."), "{}", broad.sentence());
     assert_eq!(broad.wavelengths_nm(), [None; 2]);
 }

@@ -87,6 +87,7 @@ mod shaders;
 
 pub use camera::outline::{Framing, Outline};
 pub use camera::{Camera, Gaze, Projection};
+pub use colour::paint::{Material, Paint};
 pub use geometry::shape::Shape;
 pub use geometry::triangle_point::TrianglePoint;
 pub use geometry::triangles::{RawModel, Texture, Triangles, TrianglesError, Wrap};

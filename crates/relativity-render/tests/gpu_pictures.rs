@@ -70,7 +70,7 @@ const RENDERERS: &str = include_str!("../src/renderers.rs");
 fn pictures_are_the_references(renderers: &mut Renderers) {
     let mut bodies = still_life();
     bodies[1].brightness = 0.4;
-    bodies[3].emission = Emission::White;
+    bodies[3].emission = Emission::WHITE;
     let reference = PreparedScene::moving(&bodies);
     agree_with_the_reference(renderers, &reference, &appearances(), (0, 5));
 }

@@ -48,7 +48,7 @@ fn luminances_are_those_of_a_numerical_integration() {
 fn the_lattice_of_1000_degrees_at_nine_tenths_of_c() {
     let appearance = Appearance { colour: Colour::Glowing, temperature_k: 1273.15, ..Appearance::default() };
     let head_on = 19f64.sqrt();
-    let ratio = |doppler| received_intensity(Emission::White, &appearance, doppler);
+    let ratio = |doppler| received_intensity(Emission::WHITE, &appearance, doppler);
     let summed = |doppler: f64| xyz(1273.15 * doppler)[1] / xyz(1273.15)[1];
     assert!((ratio(head_on) / 3.5e6 - 1.0).abs() < 0.02, "{}", ratio(head_on));
     assert!((ratio(1.0 / head_on) / 2.4e-25 - 1.0).abs() < 0.02, "{}", ratio(1.0 / head_on));

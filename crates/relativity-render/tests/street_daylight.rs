@@ -66,7 +66,7 @@ fn what_rests_on_the_street_is_the_same_beside_what_moves() {
 fn the_front_is_lit_blue_and_bright_and_the_rear_red_and_dim() {
     let shape = Shape::Box { center: [0.0; 3], half: [0.5, 2.0, 2.0], turn: [0.0, 0.0, 0.0, 1.0] };
     let mut body = Body::new(shape, 600.0);
-    body.emission = relativity_render::Emission::White;
+    body.emission = relativity_render::Emission::WHITE;
     let scene = PreparedScene::moving(&[body]);
     let [own, street] = both(&scene, &view(0.3, -20.0, std::f64::consts::PI)).map(|picture| middle(&picture));
     assert!(street[2] > own[2] && street[2] / street[0] >= own[2] / own[0], "front {own:?} {street:?}");
@@ -108,7 +108,7 @@ fn a_face_that_rides_along_reflects_the_crowded_sky_ahead() {
         let x = if looks_ahead { -3.0 } else { 3.0 };
         let face = Shape::Box { center: [x, 0.0, 0.0], half: [0.5, 2.0, 2.0], turn: [0.0, 0.0, 0.0, 1.0] };
         let mut body = Body::new(face, 600.0);
-        body.emission = relativity_render::Emission::White;
+        body.emission = relativity_render::Emission::WHITE;
         let scene = PreparedScene::new([Group { motion: Motion::WithEyes, bodies: &[body] }]);
         let azimuth = if looks_ahead { std::f64::consts::PI } else { 0.0 };
         let at_rest = view(0.0, 0.0, azimuth);

@@ -269,7 +269,7 @@ impl State {
     #[must_use]
     pub fn emission(&self, point: &Point) -> Emission {
         let body = point.body.or_else(|| self.document.scene.body_at(point.track.rest)).unwrap_or(0);
-        self.document.prepared.bodies().get(body).map_or(Emission::White, |body| body.emission)
+        self.document.prepared.bodies().get(body).map_or(Emission::WHITE, |body| body.emission)
     }
 
     /// Wavelength of that light at rest, nm; white light has none.

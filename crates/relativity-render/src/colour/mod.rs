@@ -13,6 +13,7 @@
 //! `assets/README.md`); IEC 61966-2-1:1999 (sRGB).
 
 pub(crate) mod ipt;
+pub mod paint;
 pub mod planck;
 pub mod spectrum;
 

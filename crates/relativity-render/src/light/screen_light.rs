@@ -61,7 +61,8 @@ impl Light {
             (Colour::False, _) => Self::Map,
             (Colour::Glowing, _) => Self::Glow(appearance.temperature_k),
             (Colour::OneWavelength, Emission::Wavelength(nm)) => Self::Line(nm),
-            (Colour::OneWavelength, Emission::White) => Self::Glow(DAYLIGHT_KELVIN),
+            (Colour::OneWavelength, Emission::Glowing(kelvin)) => Self::Glow(kelvin),
+            (Colour::OneWavelength, Emission::Painted(_)) => Self::Glow(DAYLIGHT_KELVIN),
             (Colour::White | Colour::StreetDaylight, emission) => Self::Daylight(emission.wavelength_nm()),
         }
     }

@@ -148,7 +148,7 @@ mod tests {
             invisible: false,
             ..Appearance::default()
         };
-        let body = Light::new(Emission::White, &appearance);
+        let body = Light::new(Emission::WHITE, &appearance);
         let white = Appearance { exposure_ev: 0.0, ..appearance };
         let paint = body.shown(&white, 1.0).colour;
         for doppler_factor in [0.3, 0.7, 1.0, 1.9, 4.36, 19.9] {

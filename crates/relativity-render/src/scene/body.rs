@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
+use crate::colour::paint::Paint;
 use crate::geometry::shape::Shape;
 use crate::geometry::shape::strokes::{Onlooker, Path, Stroke};
 use crate::geometry::triangles::Triangles;
@@ -15,17 +16,22 @@ use crate::kinematics::spin::Spin;
 pub enum Emission {
     /// Light of one wavelength, nm, above 0.
     Wavelength(f64),
-    /// White light: daylight, which a grey body reflects.
-    White,
+    /// The light of a lamp that glows as a black body of this temperature, K, above 0.
+    Glowing(f64),
+    /// Daylight, which this paint reflects.
+    Painted(Paint),
 }
 
 impl Emission {
-    /// Returns the wavelength in the rest frame, nm; `None` for white light.
+    /// White light: daylight, all of which is reflected.
+    pub const WHITE: Self = Self::Painted(Paint::WHITE);
+
+    /// Returns the wavelength in the rest frame, nm; `None` for light of many.
     #[must_use]
     pub const fn wavelength_nm(self) -> Option<f64> {
         match self {
             Self::Wavelength(nm) => Some(nm),
-            Self::White => None,
+            Self::Glowing(_) | Self::Painted(_) => None,
         }
     }
 }
@@ -79,7 +85,7 @@ pub struct Body {
     /// Turning of the body within its group; `None` if it does not turn there.
     pub spin: Option<Spin>,
     /// Triangles of a model, which take the place of the box's own surface. They carry no pattern, and their
-    /// light is [`Emission::White`].
+    /// light is [`Emission::WHITE`].
     #[cfg_attr(feature = "serde", serde(with = "crate::geometry::triangles::shared"))]
     pub triangles: Option<Arc<Triangles>>,
 }
@@ -94,7 +100,7 @@ impl Body {
     /// A plain white body of this `shape`.
     #[must_use]
     pub const fn white(shape: Shape) -> Self {
-        Self::of_light(shape, Emission::White)
+        Self::of_light(shape, Emission::WHITE)
     }
 
     const fn of_light(shape: Shape, emission: Emission) -> Self {

@@ -8,6 +8,7 @@ use glam::{DQuat, DVec3};
 
 use super::body::{Body, Emission};
 use super::pattern::Marking;
+use crate::colour::paint::Paint;
 use crate::geometry::block::Block;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::extent::Extent;
@@ -177,13 +178,22 @@ pub(crate) fn number_emissions(bodies: &mut [PreparedBody]) -> Vec<Emission> {
     let mut emissions = Vec::new();
     let mut numbers = HashMap::new();
     for body in bodies {
-        body.emission_number =
-            *numbers.entry(body.emission.wavelength_nm().map(f64::to_bits)).or_insert_with(|| {
-                emissions.push(body.emission);
-                emissions.len() as u32 - 1
-            });
+        body.emission_number = *numbers.entry(identity(body.emission)).or_insert_with(|| {
+            emissions.push(body.emission);
+            emissions.len() as u32 - 1
+        });
     }
     emissions
+}
+
+/// Returns a key that is equal for equal emissions alone.
+fn identity(emission: Emission) -> (u8, [u64; 3]) {
+    match emission {
+        Emission::Wavelength(nm) => (0, [nm.to_bits(), 0, 0]),
+        Emission::Glowing(kelvin) => (1, [kelvin.to_bits(), 0, 0]),
+        Emission::Painted(Paint::Smooth(colour)) => (2, colour.map(f64::to_bits)),
+        Emission::Painted(Paint::Measured(material)) => (3, [material.number() as u64, 0, 0]),
+    }
 }
 
 /// Returns which of `bodies` have an end in one place with another that has the same `trait_of`.

@@ -32,6 +32,14 @@ pub enum TrianglesError {
         /// The greatest side of the box around it.
         size: f64,
     },
+    /// Measured materials of some triangles, but not of all.
+    #[error("the model has {triangles} triangles and the materials of {materials}")]
+    MaterialCount {
+        /// The number of materials.
+        materials: usize,
+        /// The number of triangles.
+        triangles: usize,
+    },
     /// A triangle with a corner that does not exist.
     #[error("triangle {triangle} of the model has a corner beyond the last of {count}")]
     NoCorner {

@@ -34,6 +34,7 @@ pub use self::error::TrianglesError;
 pub use self::limits::{LEAST_SIZE, MOST_COORDINATE, MOST_TEXELS, MOST_TRIANGLES, MOST_WRAPS};
 pub use self::model::RawModel;
 pub use self::texture::{Texture, Wrap};
+use crate::colour::paint::Material;
 use crate::geometry::hierarchy::{BodyPart, Hierarchy};
 use crate::geometry::intersect::{Entry, Solid};
 use crate::geometry::ray::Ray;
@@ -52,6 +53,7 @@ pub struct Triangles {
     corners: Vec<Vec3>,
     faces: Vec<[u32; 3]>,
     paints: Vec<[f32; 3]>,
+    materials: Vec<Option<Material>>,
     textures: Vec<MipMap>,
     texture_numbers: Vec<u32>,
     texture_places: Vec<[f32; 2]>,
@@ -74,12 +76,13 @@ impl Triangles {
     ///
     /// No triangle with an area; more than [`MOST_TRIANGLES`]; a corner that is not finite or beyond
     /// [`MOST_COORDINATE`]; a model smaller than [`LEAST_SIZE`]; a triangle with a corner that there is not;
-    /// paint that is not between 0 and 1, or not for every corner; textures without texels or with more than
+    /// paint that is not between 0 and 1, or not for every corner; materials for other than every triangle;
+    /// textures without texels or with more than
     /// [`MOST_TEXELS`], for other than every triangle, or whose places are beyond [`MOST_WRAPS`].
     pub fn new(model: RawModel) -> Result<Self, TrianglesError> {
         model.check()?;
-        let RawModel { corners, triangles, paints, textures, texture_numbers, texture_places, is_two_sided } =
-            model;
+        let RawModel { corners, triangles, paints, materials, textures, .. } = model;
+        let RawModel { texture_numbers, texture_places, is_two_sided, .. } = model;
         let used = triangles.iter().flatten().map(|&corner| DVec3::from(corners[corner as usize]));
         let [low, high] = used.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], corner| {
             [low.min(corner), high.max(corner)]
@@ -98,6 +101,7 @@ impl Triangles {
             corners,
             faces: triangles,
             paints,
+            materials,
             textures: textures.into_iter().map(MipMap::new).collect(),
             texture_numbers,
             texture_places,
@@ -242,7 +246,8 @@ impl Triangles {
         let wraps = self.textures.iter().flat_map(|texture| texture.wrap).map(|wrap| wrap as u32);
         let words = floats.map(f32::to_bits).chain(self.faces.iter().flatten().copied()).chain([sides]);
         let words = words.chain(self.texture_numbers.iter().copied()).chain(texels).chain(wraps);
-        let words = words.map(u64::from).chain(middle);
+        let materials = self.materials.iter().map(|material| material.map_or(0, |of| of.number() as u64 + 1));
+        let words = words.map(u64::from).chain(middle).chain(materials);
         words.fold(0xcbf2_9ce4_8422_2325, |hash: u64, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3))
     }
 }

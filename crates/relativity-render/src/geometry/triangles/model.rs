@@ -3,6 +3,7 @@
 use super::error::TrianglesError;
 use super::limits::{MOST_COORDINATE, MOST_TEXELS, MOST_TRIANGLES, MOST_WRAPS};
 use super::texture::Texture;
+use crate::colour::paint::Material;
 
 /// Corners and triangles of a model, not yet prepared.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -14,6 +15,9 @@ pub struct RawModel {
     /// Paint of each corner: reflectances in linear sRGB, 0 to 1, which mix evenly between corners. None at
     /// all is white paint.
     pub paints: Vec<[f32; 3]>,
+    /// The measured material of each triangle, which takes the place of its paint and texture; `None` of
+    /// those that have smooth paint. None at all: all have.
+    pub materials: Vec<Option<Material>>,
     /// Pictures whose colours multiply the paint of triangles.
     pub textures: Vec<Texture>,
     /// Number of the texture of each triangle, [`Self::NO_TEXTURE`] of those that have none. None at all: no
@@ -46,6 +50,12 @@ impl RawModel {
         };
         if let Some(number) = self.corners.iter().position(is_far) {
             return Err(TrianglesError::Coordinate { number, place: self.corners[number] });
+        }
+        if !self.materials.is_empty() && self.materials.len() != self.triangles.len() {
+            return Err(TrianglesError::MaterialCount {
+                materials: self.materials.len(),
+                triangles: self.triangles.len(),
+            });
         }
         let is_unreal = |paint: &[f32; 3]| paint.iter().any(|part| !(0.0..=1.0).contains(part));
         if let Some(number) = self.paints.iter().position(is_unreal) {

@@ -9,6 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::texture::MipMap;
 use super::{RawModel, Triangles};
+use crate::colour::paint::Material;
 use crate::geometry::hierarchy::Hierarchy;
 
 /// The written part of triangles, with the corners as they were rounded.
@@ -17,6 +18,7 @@ struct Saved<'a> {
     corners: Cow<'a, [Vec3]>,
     faces: Cow<'a, [[u32; 3]]>,
     paints: Cow<'a, [[f32; 3]]>,
+    materials: Cow<'a, [Option<Material>]>,
     textures: Cow<'a, [MipMap]>,
     texture_numbers: Cow<'a, [u32]>,
     texture_places: Cow<'a, [[f32; 2]]>,
@@ -42,6 +44,7 @@ impl<'a> From<&'a Triangles> for Saved<'a> {
             corners: Cow::from(&triangles.corners),
             faces: Cow::from(&triangles.faces),
             paints: Cow::from(&triangles.paints),
+            materials: Cow::from(&triangles.materials),
             textures: Cow::from(&triangles.textures),
             texture_numbers: Cow::from(&triangles.texture_numbers),
             texture_places: Cow::from(&triangles.texture_places),
@@ -59,6 +62,9 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<
     if saved.faces.iter().flatten().any(|&corner| corner as usize >= saved.corners.len()) {
         return Err(serde::de::Error::custom("a triangle has a corner that there is not"));
     }
+    if !saved.materials.is_empty() && saved.materials.len() != saved.faces.len() {
+        return Err(serde::de::Error::custom("some triangles have materials, and some do not"));
+    }
     let has = |&number: &u32| number == RawModel::NO_TEXTURE || (number as usize) < saved.textures.len();
     if !saved.texture_numbers.iter().all(has) {
         return Err(serde::de::Error::custom("a triangle has a texture that there is not"));
@@ -67,6 +73,7 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<
         corners: saved.corners.into_owned(),
         faces: saved.faces.into_owned(),
         paints: saved.paints.into_owned(),
+        materials: saved.materials.into_owned(),
         textures: saved.textures.into_owned(),
         texture_numbers: saved.texture_numbers.into_owned(),
         texture_places: saved.texture_places.into_owned(),

@@ -188,7 +188,7 @@ mod tests {
     #[test]
     fn received_light_is_the_references() {
         let emissions = [
-            Emission::White,
+            Emission::WHITE,
             Emission::Wavelength(450.0),
             Emission::Wavelength(550.0),
             Emission::Wavelength(700.0),
@@ -254,7 +254,7 @@ mod tests {
         ] {
             let appearance = appearance(exposure_ev);
             let effects = Effects::new(true, &appearance).in_street_daylight();
-            for emission in [Emission::White, Emission::Wavelength(450.0), Emission::Wavelength(640.0)] {
+            for emission in [Emission::WHITE, Emission::Wavelength(450.0), Emission::Wavelength(640.0)] {
                 let light = Light::new(emission, &appearance);
                 let packed = light.packed(&appearance, effects).map(|part| part as f32);
                 at_every_level!(simd => {
