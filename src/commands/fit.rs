@@ -77,8 +77,10 @@ pub struct FitArgs {
 const HELP: &str = "\
 The point is in front of the eyes (y > 0). dphi alone tells the magnitude of z; dtheta tells its sign too.
 
-Uncertainties are standard errors over the bootstrap replicates, and the intervals hold 95 % of them; `linear` is \
-the standard error from the covariance at the best fit. With both curves, the joint fit is the best use of the data; \
+Uncertainties are standard errors over the bootstrap replicates. The 95 % intervals lie about the best fit as the \
+replicates do, and are at least as wide as a standard error that counts readings of much weight rightly, by Student's t; \
+`linear` is the standard error from the covariance at the best fit. Where the residuals follow one another (Durbin and \
+Watson's test, wrong for 1 in 1,000 fits of good readings), no uncertainty follows: the fit says so, and looks for the cause. With both curves, the joint fit is the best use of the data; \
 the paper's weighted mean of the two fits stands beside it, with their correlation accounted for.
 
 A point of a wheel that rolls is fitted by where on its wheel it is, which has to be known (--wheel-radius, --rho, --angle): y, \
@@ -144,7 +146,8 @@ impl FitArgs {
         let fitted = FitReport::while_wanted(&observations, &options, wanted, self.seed, is_wanted);
         let cause = |failed| {
             let cause = cause::find(&observations, &options, failed, data.said)?;
-            let file = self.file.as_ref().map_or("-", |_| name);
+            let given = self.file.as_ref().filter(|file| file.as_os_str() != "-");
+            let file = given.map_or("-", |_| name);
             Some(cause.told(file, &self.given_flags()))
         };
         match fitted {

@@ -90,7 +90,7 @@ fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: TableColumns) {
             ("", "Parameter"),
             ("value", "The best fit: least sum of squared residuals."),
             ("±", "Standard error: standard deviation over the bootstrap's replicates, refits of samples drawn with replacement. — where the residuals follow one another: none follows then."),
-            ("95 %", "Interval that holds 95 % of the replicates: from the 2.5th to the 97.5th percentile."),
+            ("95 %", "Interval that holds the truth in 95 of 100 measurements: the 2.5th to the 97.5th percentile of the replicates, drawn apart where few readings count for most."),
         ];
         if columns == TableColumns::Few {
             heads.truncate(INTERVAL);
