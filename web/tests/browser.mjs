@@ -136,8 +136,9 @@ export class Window {
         return new URLSearchParams(hash.slice(1));
     }
 
+    // What is kept under this name, for the page in the root folder of its server.
     stored(name) {
-        return this.page.evaluate(name => localStorage.getItem(name), name);
+        return this.page.evaluate(name => localStorage.getItem(`/:${name}`), name);
     }
 
     // Waits for these milliseconds, and for the frames in which the window answers: a busy machine takes

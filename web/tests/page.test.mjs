@@ -394,6 +394,36 @@ test('after the first visit no network is needed', () => inWindow('#scene=globe'
     assert.notEqual(address, server.address);
 }));
 
+test("other pages' caches stay, and nothing outside of the page's own server is asked", async () => {
+    const site = await serve();
+    const elsewhere = await browser.newPage();
+    await elsewhere.goto(`${site.address}icon.png`);
+    const others = ['another page', 'gamow /elsewhere/ 1'];
+    await elsewhere.evaluate(names => Promise.all(names.map(name => caches.open(name))), [...others, 'gamow / outdated']);
+    const window = await Window.open(browser, site.address, '#scene=globe');
+    const kept = await eventually('the page is kept', () => window.page.evaluate(async () => {
+        const registration = await navigator.serviceWorker.getRegistration();
+        return registration?.active?.state === 'activated' && caches.keys();
+    }));
+    assert.deepEqual(kept.filter(name => others.includes(name)), others);
+    const own = kept.filter(name => name.startsWith('gamow / '));
+    assert.equal(own.length, 1);
+    assert.notEqual(own[0], 'gamow / outdated');
+    const licences = await window.page.evaluate(async name => {
+        const response = await (await caches.open(name)).match('./LICENSES-THIRD-PARTY.txt');
+        return (await response.text()).length;
+    }, own[0]);
+    assert.ok(licences > 1000, `${licences}`);
+    const refused = await window.page.evaluate(() => new Promise(done => {
+        addEventListener('securitypolicyviolation', ({ effectiveDirective }) => done(effectiveDirective));
+        fetch('http://localhost:9/').then(() => done('nothing'), () => {});
+    }));
+    assert.equal(refused, 'connect-src');
+    await window.close();
+    await elsewhere.close();
+    site.close();
+});
+
 test('a screen of two pixels a point is drawn sharply', async () => {
     const sharp = await launch({ scale: 2 });
     try {
