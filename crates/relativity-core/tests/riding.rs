@@ -327,7 +327,7 @@ fn rides_end_where_they_were_worked_out_to_end() {
 fn a_moment_of_many_legs_is_that_of_one_after_the_other() {
     for aside in [0.0, 0.3] {
         let leg = |number: u32| {
-            let ahead = if number % 3 == 0 { -0.9 } else { 0.6 };
+            let ahead = if number.is_multiple_of(3) { -0.9 } else { 0.6 };
             let duration = f64::from(number % 4) / 8.0;
             (duration, [ahead, aside * f64::from(number % 2), 0.0])
         };
