@@ -396,19 +396,21 @@ test('after the first visit no network is needed', () => inWindow('#scene=globe'
 
 test("other pages' caches stay, and nothing outside of the page's own server is asked", async () => {
     const site = await serve();
-    const elsewhere = await browser.newPage();
-    await elsewhere.goto(`${site.address}icon.png`);
+    const window = await Window.open(browser, server.address, '#scene=globe');
     const others = ['another page', 'gamow /elsewhere/ 1'];
-    await elsewhere.evaluate(names => Promise.all(names.map(name => caches.open(name))), [...others, 'gamow / outdated']);
-    const window = await Window.open(browser, site.address, '#scene=globe');
+    // They are there before the page comes for the first time.
+    await window.page.goto(`${site.address}icon.png`);
+    await window.page.evaluate(names => Promise.all(names.map(name => caches.open(name))), [...others, 'gamow / outdated']);
+    await window.page.goto(`${site.address}#scene=globe`);
+    await window.shown();
     const kept = await eventually('the page is kept', () => window.page.evaluate(async () => {
         const registration = await navigator.serviceWorker.getRegistration();
-        return registration?.active?.state === 'activated' && caches.keys();
-    }));
+        const names = await caches.keys();
+        return registration?.active?.state === 'activated' && !names.includes('gamow / outdated') && names;
+    }), 60_000);
     assert.deepEqual(kept.filter(name => others.includes(name)), others);
     const own = kept.filter(name => name.startsWith('gamow / '));
     assert.equal(own.length, 1);
-    assert.notEqual(own[0], 'gamow / outdated');
     const licences = await window.page.evaluate(async name => {
         const response = await (await caches.open(name)).match('./LICENSES-THIRD-PARTY.txt');
         return (await response.text()).length;
@@ -419,8 +421,9 @@ test("other pages' caches stay, and nothing outside of the page's own server is 
         fetch('http://localhost:9/').then(() => done('nothing'), () => {});
     }));
     assert.equal(refused, 'connect-src');
+    // The refusal is in the console, and that icon.png has no icon of its own.
+    window.problems.length = 0;
     await window.close();
-    await elsewhere.close();
     site.close();
 });
 
