@@ -56,8 +56,8 @@ fn reach(triangles: &Triangles, hub: DVec3) -> f64 {
 /// and the circle becomes larger with each.
 fn smallest_circle(places: Vec<DVec2>) -> Circle {
     let hull = convex_hull(places);
-    let mut on = vec![];
-    let mut circle = Circle::around(&hull[..hull.len().min(1)]);
+    let mut on: Vec<DVec2> = hull.iter().take(1).copied().collect();
+    let mut circle = Circle::around(&on);
     loop {
         let distance = |place: &&DVec2| circle.middle.distance_squared(**place);
         let farthest = hull.iter().max_by(|a, b| distance(a).total_cmp(&distance(b)));
