@@ -49,8 +49,8 @@ fn reach(triangles: &Triangles, hub: DVec3) -> f64 {
 
 /// Returns the smallest circle around `places`, if there are any; else one of no size.
 ///
-/// Of three corners of the convex hull the circle grows until it holds all: as far as it is known which
-/// places it goes through, one that it does not hold takes the place of one of them.
+/// The farthest corner of the convex hull that the circle does not hold joins those that it goes through, and
+/// the smallest circle around these few is the next one, until none is outside.
 ///
 /// Reference: B. Gärtner, *Fast and robust smallest enclosing balls* (1999): the farthest place is the pivot,
 /// and the circle becomes larger with each.
