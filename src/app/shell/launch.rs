@@ -7,7 +7,7 @@ use eframe::{CreationContext, NativeOptions};
 use gamow_platform::clock::Instant;
 use gamow_platform::last_word::LastWord;
 use gamow_platform::{environment, messages, threads};
-use relativity_render::colour::{self, planck};
+use relativity_render::colour::{self, planck, sunlit};
 
 use crate::app::shell::args::WindowArgs;
 use crate::app::shell::persistence::{Keeper, Loaded, Memory, recall};
@@ -62,7 +62,7 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
 /// Has the tables made in which colours are looked up, while the window opens: its first frame needs them,
 /// and they take longer than all else of it.
 fn begin_tables() {
-    threads::spawn(|| (colour::linear_srgb(550.0), planck::black_body(12.0), planck::band(9.0)));
+    threads::spawn(|| (colour::linear_srgb(550.0), planck::black_body(12.0), sunlit::log2_level(0.0)));
 }
 
 fn unopened(reason: &str) -> anyhow::Error {
