@@ -1,18 +1,33 @@
 // Keeps the page for use without a network. All its files are of one version, which web/build writes here.
 const VERSION = 'unbuilt';
-const FILES = ['./', './gamow-web.js', './gamow-web_bg.wasm', './gamow-worker.js', './icon.png', './manifest.webmanifest', './stereoscope.js'];
+const FILES = [
+    './', './gamow-web.js', './gamow-web_bg.wasm', './gamow-worker.js', './icon.png', './LICENSES-THIRD-PARTY.txt',
+    './manifest.webmanifest', './page.js', './stereoscope.js',
+];
+// Caches belong to an origin, which may have other pages with their own.
+const OWN = `gamow ${new URL(registration.scope).pathname} `;
+const CACHE = OWN + VERSION;
 
-addEventListener('install', event => {
-    event.waitUntil(caches.open(VERSION).then(cache => cache.addAll(FILES)));
-});
+// All files are kept or none, and each as the server has it now: the browser's own cache may have older ones.
+async function install() {
+    const cache = await caches.open(CACHE);
+    try {
+        await cache.addAll(FILES.map(file => new Request(file, { cache: 'reload' })));
+    } catch (error) {
+        await caches.delete(CACHE);
+        throw error;
+    }
+}
 
-addEventListener('activate', event => {
-    const outdated = names => names.filter(name => name !== VERSION).map(name => caches.delete(name));
-    event.waitUntil(caches.keys().then(names => Promise.all(outdated(names))));
-});
+async function deleteOutdated() {
+    const outdated = (await caches.keys()).filter(name => name.startsWith(OWN) && name !== CACHE);
+    await Promise.all(outdated.map(name => caches.delete(name)));
+}
 
+addEventListener('install', event => event.waitUntil(install()));
+addEventListener('activate', event => event.waitUntil(deleteOutdated()));
 addEventListener('fetch', event => {
     if (event.request.method !== 'GET') return;
-    const kept = caches.open(VERSION).then(cache => cache.match(event.request, { ignoreSearch: true }));
+    const kept = caches.open(CACHE).then(cache => cache.match(event.request, { ignoreSearch: true }));
     event.respondWith(kept.then(response => response ?? fetch(event.request)));
 });

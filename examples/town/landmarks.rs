@@ -46,7 +46,7 @@ pub fn post_office(objects: &mut Objects) {
     let middle = 21.0 + 9.0;
     gable(&mut row, middle, office.eaves(), office.wall);
     row.objects.part = "sign";
-    row.block("post red", [middle - 3.2, -0.3, 4.3], [middle + 3.2, -0.05, 5.3]);
+    row.block("red_paint", [middle - 3.2, -0.3, 4.3], [middle + 3.2, -0.05, 5.3]);
     row.block("white_paint", [middle - 2.9, -0.34, 4.52], [middle + 2.9, -0.3, 5.08]);
     clock(objects, "post office clock", [middle, FRONTS[1] - 0.3, office.eaves() + 1.6]);
 }
@@ -148,9 +148,9 @@ pub fn lamp(objects: &mut Objects) {
 pub fn post_box(objects: &mut Objects) {
     objects.part = "post box";
     objects.cylinder("iron", [0.0, 0.0, -0.2], [0.0, 0.0, 0.25], 0.42);
-    objects.cylinder("post red", [0.0, 0.0, 0.25], [0.0, 0.0, 2.05], 0.38);
-    objects.cylinder("post red", [0.0, 0.0, 2.05], [0.0, 0.0, 2.15], 0.46);
-    objects.ball("post red", [0.0, 0.0, 1.98], 0.38);
+    objects.cylinder("red_paint", [0.0, 0.0, 0.25], [0.0, 0.0, 2.05], 0.38);
+    objects.cylinder("red_paint", [0.0, 0.0, 2.05], [0.0, 0.0, 2.15], 0.46);
+    objects.ball("red_paint", [0.0, 0.0, 1.98], 0.38);
     objects.block("slot", [-0.2, -0.385, 1.72], [0.2, 0.385, 1.8]);
     objects.block("clock face", [-0.14, -0.39, 1.15], [0.14, 0.0, 1.5]);
 }

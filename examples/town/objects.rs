@@ -10,7 +10,7 @@ pub type Place = [f64; 3];
 const SUNK: f64 = 0.5;
 
 /// The light of objects by the names of their materials: measured ones, and smooth paint in sRGB.
-const PAINTS: [(&str, &str); 28] = [
+const PAINTS: [(&str, &str); 26] = [
     ("cream plaster", "#d8caa4"),
     ("ochre plaster", "#cda25a"),
     ("rose plaster", "#c89a86"),
@@ -24,7 +24,6 @@ const PAINTS: [(&str, &str); 28] = [
     ("zinc", "#7f8488"),
     ("iron", "#2b2d30"),
     ("clock face", "#ece9dc"),
-    ("post red", "#b3202a"),
     ("slot", "#1a1414"),
     ("skin", "#dcab8c"),
     ("hair", "#4a3526"),
@@ -37,7 +36,6 @@ const PAINTS: [(&str, &str); 28] = [
     ("linen", "#e9e6dc"),
     ("black leather", "#211e1d"),
     ("brown leather", "#6b4528"),
-    ("bicycle red", "#b5161d"),
     ("chrome", "#b9bdc2"),
 ];
 

@@ -99,7 +99,7 @@ pub fn text() -> String {
 }
 
 fn frame(parts: &mut Parts) {
-    let red = "bicycle red";
+    let red = "red_paint";
     let crank = [-1.454, 0.0, 1.892];
     parts.tube("top tube", red, [-1.697, 0.0, 2.686], [-0.843, 0.0, 2.753], 0.026);
     parts.tube("down tube", red, crank, [-0.802, 0.0, 2.625], 0.03);

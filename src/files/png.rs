@@ -179,7 +179,7 @@ impl PngFile {
         let (pixels, most) = (u64::from(width) * u64::from(height), sizes::PICTURE_PIXELS);
         anyhow::ensure!(
             pixels <= most,
-            "it has {width}x{height} pixels; the limit is {most}, those of 16384x16384"
+            "it has {width}x{height} pixels; the limit is {most}, those of 8192x8192"
         );
         let mut bytes = vec![0; reader.output_buffer_size().context("it is too large")?];
         let frame = reader.next_frame(&mut bytes)?;

@@ -1,11 +1,24 @@
-//! Syntax errors in TOML, in one line that gives the correction.
+//! Keys and syntax errors in TOML: an American spelling is read as the British one, and an error is one line
+//! that gives the correction.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use gamow_platform::messages;
 use toml::de::Error;
 
 use crate::number_text;
+
+/// The name of a key, a flag or a keyword in the spelling that it has here: `centre` for `center`, `colour` for
+/// `color`.
+#[must_use]
+pub fn british(name: &str) -> Cow<'_, str> {
+    if name.contains("center") || name.contains("color") {
+        Cow::Owned(name.replace("center", "centre").replace("color", "colour"))
+    } else {
+        Cow::Borrowed(name)
+    }
+}
 
 /// Returns the problem that the TOML reader found in `text`, and its range of bytes.
 #[must_use]

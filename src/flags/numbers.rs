@@ -13,13 +13,26 @@ use serde::{Serialize, Serializer};
 use crate::number_text;
 
 /// Parses a number, which may have a decimal comma: f64's own parser also takes "nan" and "inf", which nobody
-/// means.
+/// means. A comma that may as well group thousands is refused.
 pub fn finite_number(text: &str) -> Result<f64, String> {
+    if let Some((thousands, units)) = grouped(text) {
+        return Err(format!("may mean {thousands}.{units} or {thousands}{units}: write one of them"));
+    }
     match number_text::with_point(text.trim()).parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err("not a finite number".to_owned()),
         Err(_) => Err("not a number".to_owned()),
     }
+}
+
+/// The digits before and after the one comma of a number such as 1,000, where half of the world groups
+/// thousands: 0,999 and 1,5 have a decimal comma.
+fn grouped(text: &str) -> Option<(&str, &str)> {
+    let (before, after) = text.trim().split_once(',')?;
+    let are_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let digits = before.trim_start_matches(['-', '+']);
+    let is_group = are_digits(digits) && digits.len() <= 3 && !digits.starts_with('0');
+    (is_group && after.len() == 3 && are_digits(after)).then_some((before, after))
 }
 
 /// Coordinates and times for which everything is finite.
@@ -258,6 +271,10 @@ mod tests {
     #[test]
     fn a_number_may_have_a_decimal_comma_and_a_list_is_none() {
         assert_eq!(["0,9", " -1,5e3", "2.5"].map(finite_number), [Ok(0.9), Ok(-1500.0), Ok(2.5)]);
+        assert_eq!(["0,999", "1,0000", "1000,125"].map(finite_number), [Ok(0.999), Ok(1.0), Ok(1000.125)]);
+        let refused = |text: &str| Err(format!("may mean {text}: write one of them"));
+        assert_eq!(finite_number("1,000"), refused("1.000 or 1000"));
+        assert_eq!(finite_number("-12,500"), refused("-12.500 or -12500"));
         assert_eq!(within(0.0..=1.0)("0,25"), Ok(0.25));
         for text in ["1, 2", "1,2,3", "1,234.5", ","] {
             assert!(finite_number(text).is_err(), "{text}");

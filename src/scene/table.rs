@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::{Located, SceneProblem};
 use super::model::ModelFiles;
+use crate::files::syntax::british;
 
 /// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
 const MAX_COORDINATE: f64 = 1e6;
@@ -34,9 +35,12 @@ pub(super) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// Refuses keys other than `known`.
+    /// Refuses keys other than `known`, and one that is there in both spellings.
     pub fn check_keys(&self, known: &[&str]) -> Result<(), Located> {
-        let unknown = self.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
+        let unknown = self.entries.keys().filter(|key| {
+            let name = british(key.get_ref());
+            !known.contains(&&*name) || name != *key.get_ref() && self.entries.contains_key(&*name)
+        });
         let Some(first) = unknown.min_by_key(|key| key.span().start) else { return Ok(()) };
         let key = first.get_ref().to_string();
         let problem = SceneProblem::UnknownKey { key, owner: self.owner, known: known.join(", ") };
@@ -209,7 +213,8 @@ impl<'a> Table<'a> {
     }
 
     fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
-        self.entries.get(key)
+        let in_american = || self.entries.iter().find(|(name, _)| british(name.get_ref()) == key);
+        self.entries.get(key).or_else(|| in_american().map(|(_, value)| value))
     }
 
     fn missing(&self, key: &'static str) -> Located {

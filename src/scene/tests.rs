@@ -502,6 +502,16 @@ fn a_scene_is_never_empty() {
 }
 
 #[test]
+fn a_centre_may_be_written_center_but_not_both() {
+    let ball = |centre: &str| format!("name = \"x\"\n[[object]]\nshape = \"sphere\"\nradius = 1\n{centre}");
+    let scene = |centre: &str| Scene::parse(&ball(centre), "x").expect("right");
+    assert_eq!(scene("center = [0, 3, 2]"), scene("centre = [0, 3, 2]"));
+    let both = "centre = [0, 3, 2]\ncenter = [0, 3, 3]";
+    assert!(error(&ball(both)).starts_with("balls.toml:6: unknown key `center`"), "{}", error(&ball(both)));
+    assert!(error(&ball("center = 3")).contains("centre = 3 must be"), "{}", error(&ball("center = 3")));
+}
+
+#[test]
 fn an_axis_of_any_length_becomes_a_unit_vector() {
     for length in [1e-300, 1e-9, 1.0, 1e6] {
         let ring = format!("centre = [0, 0, 0]\naxis = [0, 0, -{length:e}]\nradius = 1\ntube_radius = 0.25");

@@ -164,7 +164,15 @@ impl Settings {
             (false, _) => other.picture.layout,
         };
         let picture = PictureSettings { layout, ..other.picture };
-        Self { picture, screen: other.screen, window: other.window, ..self }
+        Self { picture, ..self }.as_seen_by(other)
+    }
+
+    /// Returns these settings in the window and on the screen of a `viewer`, which no link and no picture of
+    /// somebody else changes.
+    #[must_use]
+    pub const fn as_seen_by(mut self, viewer: &Self) -> Self {
+        (self.screen, self.window) = (viewer.screen, viewer.window);
+        self
     }
 
     /// Whether the layout belongs to what is shown.

@@ -228,11 +228,11 @@ fn setting(
     value: &Spanned<DeValue>,
 ) -> Result<FileSetting, LocatedProblem> {
     let known: Vec<&str> = names().filter(|(name, _)| name == section).map(|(_, key)| key).collect();
-    let name = key.get_ref();
-    if !known.contains(&name.as_ref()) {
+    let name = syntax::british(key.get_ref());
+    if !known.contains(&&*name) {
         let owner = if section.is_empty() { "before the first section" } else { section };
         let problem =
-            format!("unknown setting `{}`: {owner} has {}", messages::excerpt(name), known.join(", "));
+            format!("unknown setting `{}`: {owner} has {}", messages::excerpt(&name), known.join(", "));
         return Err((key.span(), problem));
     }
     if (section, name.as_ref()) == ("", SCENE) && value.get_ref().as_str().is_none() {

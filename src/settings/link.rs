@@ -72,7 +72,8 @@ impl Settings {
         Ok(pairs.collect::<Vec<_>>().join("&"))
     }
 
-    /// Returns these settings, overridden by those in `link`.
+    /// Returns these settings, overridden by those in `link` that belong to what is shown. Others are checked
+    /// and stay as they are.
     ///
     /// # Errors
     /// One line: a setting that does not exist, a value that it cannot have, or a scene that does not come
@@ -95,6 +96,7 @@ impl Settings {
             Ok(format!("--{key}={value}"))
         });
         let flags = flags.collect::<Result<Vec<_>, _>>()?;
+        let viewer = self.clone();
         self.set(flags).map_err(|problem| problem.at("the link".to_owned()))?;
         if Scene::preset(&self.scene).is_none() {
             let scene = messages::excerpt(&self.scene);
@@ -102,7 +104,7 @@ impl Settings {
                 "{SCENE} = {scene}: a link names a scene that comes with the program"
             )));
         }
-        Ok(self)
+        Ok(self.as_seen_by(&viewer))
     }
 }
 
@@ -126,6 +128,22 @@ mod tests {
         assert_eq!(link, "gamow:?scene=globe&time=-2.5&beta=0.99&gaze=10,-3");
         // Blanks around it come from a message.
         assert_eq!(opened(&format!("  {link}\n")).expect("it is a link"), settings);
+    }
+
+    /// Whoever follows a link keeps their window, screen, comfort and stereo distances.
+    #[test]
+    fn a_link_carries_no_setting_of_whoever_opens_it() {
+        let own = Settings::default();
+        let own = own.with_command("gamow --theme=light --viewing-distance=70 --plots=off", "mine");
+        let own = own.expect("settings");
+        let hostile = "gamow:?beta=0.99&viewing-distance=10&picture-distance=20&theme=dark&vignette=off\
+            &controls=off&plots=on";
+        let opened = own.clone().with_file(Path::new(hostile)).expect("it is a link");
+        assert_eq!((&opened.window, &opened.screen), (&own.window, &own.screen));
+        assert_eq!(opened.speed().beta(), 0.99);
+        // What nobody could set is refused all the same.
+        let refused = own.with_file(Path::new("gamow:?theme=pink"));
+        assert!(refused.is_err_and(|error| error.to_string().starts_with("the link: theme")));
     }
 
     #[test]

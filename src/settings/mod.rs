@@ -9,6 +9,7 @@ mod about;
 mod all;
 mod appearance;
 mod comparison;
+mod course;
 mod entries;
 mod error;
 mod file;

@@ -3,11 +3,14 @@
 //! While one rides, the time of everything is the rider's clock. It shows 0 where the ride starts, and so
 //! does the street's clock there.
 
+use std::sync::Arc;
+
 use clap::Args;
 use glam::{DMat3, DVec3};
 use relativity_core::{Leg, ObserverVelocity, Odometers, RideMoment, RiderVelocity, Speed};
 use serde::Serialize;
 
+use super::course::{Course, KeptCourse};
 use super::sections::MAX_LENGTH;
 use crate::flags::{RideLegs, StreetVelocity, within};
 
@@ -60,6 +63,10 @@ pub struct Riding {
     #[arg(skip)]
     #[serde(skip)]
     pub stands: bool,
+    /// The ride that these settings make, once it was worked out.
+    #[arg(skip)]
+    #[serde(skip)]
+    pub kept: KeptCourse,
 }
 
 impl Default for Riding {
@@ -73,6 +80,7 @@ impl Default for Riding {
             ride_elevation: 0.0,
             push: 0.25,
             stands: false,
+            kept: KeptCourse::default(),
         }
     }
 }
@@ -86,8 +94,7 @@ impl Riding {
     /// Whether no leg pushes aside, so that all of the ride is on one line.
     #[must_use]
     pub fn is_straight(&self) -> bool {
-        let legs = self.ride.0.as_deref().unwrap_or_default();
-        legs.iter().all(|Leg { acceleration: [_, left, up], .. }| [*left, *up] == [0.0; 2])
+        self.course().is_none_or(|course| course.is_straight)
     }
 
     /// Whether the ride is along the street, one way or the other.
@@ -110,16 +117,21 @@ impl Riding {
         DMat3::from_cols(ahead, left, ahead.cross(left))
     }
 
-    pub(super) fn start(&self) -> RideMoment {
-        // Along the line of the ride, whichever way that leads.
+    /// Returns the ride, worked out; `None` without one.
+    pub(super) fn course(&self) -> Option<Arc<Course>> {
+        self.ride.0.as_ref().map(|legs| self.kept.of(self, legs))
+    }
+
+    /// Returns the start of the ride, along its line, whichever way that leads.
+    pub(super) fn start(&self, has_own_line: bool) -> RideMoment {
         let velocity = RiderVelocity::AlongStreet { rapidity: self.ride_speed.rapidity() };
-        let from = if self.has_own_line() { 0.0 } else { self.ride_from };
+        let from = if has_own_line { 0.0 } else { self.ride_from };
         RideMoment { velocity, place: [from, 0.0, 0.0], ..RideMoment::AT_REST }
     }
 
-    /// Whether the ride is not all along the street towards +x or back.
-    pub(super) fn has_own_line(&self) -> bool {
-        self.direction() != [1.0, 0.0, 0.0] || !self.is_straight()
+    /// Whether the ride starts in another direction than towards +x or back.
+    pub(super) fn has_own_direction(&self) -> bool {
+        self.direction() != [1.0, 0.0, 0.0]
     }
 
     /// Returns the eyes that stand, at each moment, where this ride has led them.
@@ -159,11 +171,14 @@ impl Riding {
         self.coasts() && self.is_along_street()
     }
 
-    /// Two odometers of the rider when the clock of the ride shows `time`; `None` off its line, where nothing
-    /// rolls.
+    /// Two odometers of the rider when the clock of the ride shows `time`, at 0 without a ride; `None` off its
+    /// line, where nothing rolls.
     #[must_use]
     pub fn odometers(&self, time: f64) -> Option<Odometers> {
-        self.is_straight().then(|| self.start().odometers(self.ride.0.as_deref().unwrap_or_default(), time))
+        match self.course() {
+            None => Some(Odometers::default()),
+            Some(course) => course.is_straight.then(|| course.ride.odometers(time)),
+        }
     }
 
     /// Returns this ride as it was until `time`, and from then on with a push of this proper `acceleration`

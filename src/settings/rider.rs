@@ -38,10 +38,10 @@ impl Riding {
     /// The observer when the clock of the ride shows `time`; at rest at this T without a ride.
     #[must_use]
     pub fn rider(&self, time: f64) -> Rider {
-        let Some(legs) = self.ride.0.as_deref() else { return Rider::at_rest(time) };
-        let moment = self.start().along(legs, time);
+        let Some(course) = self.course() else { return Rider::at_rest(time) };
+        let moment = course.ride.at(time);
         let rider =
-            if self.is_straight() { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) };
+            if course.is_straight { Rider::on_line(moment, self) } else { Rider::off_line(&moment, self) };
         if self.stands { rider.standing() } else { rider }
     }
 
@@ -84,7 +84,7 @@ impl Rider {
         let velocity = Velocity::from_rapidity(moment.rapidity());
         let ([x, ..], street_time) = (moment.place, moment.time);
         let at_origin = Self { velocity, street_time, ..Self::at_rest(street_time) };
-        if !riding.has_own_line() {
+        if !riding.has_own_direction() {
             return Self { x, on_ground: velocity.into(), ..at_origin };
         }
         let [along_x, y, z] = riding.direction().map(|part| part * x);

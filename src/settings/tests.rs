@@ -495,6 +495,19 @@ fn a_gaze_straight_up_is_one_that_a_file_takes() {
     }
 }
 
+/// Half of the world writes color.
+#[test]
+fn a_color_is_a_colour() {
+    let read = |text: &str| Settings::default().with_toml(text, "state.toml");
+    let expected = read("[light]\ncolour = \"glowing\"\nstreet-colours = \"painted\"").expect("it is right");
+    let american = read("[light]\ncolor = \"glowing\"\nstreet-colors = \"painted\"");
+    assert_eq!(american.expect("it is right"), expected);
+    let link = Settings::default().with_file(Path::new("gamow:?color=glowing&street-colors=painted"));
+    assert_eq!(link.expect("it is right"), expected);
+    let both = read("[light]\ncolor = \"glowing\"\ncolour = \"false\"").expect_err("it is twice").to_string();
+    assert!(both.starts_with("state.toml") && !both.contains('\n'), "{both}");
+}
+
 #[test]
 fn a_scene_is_looked_for_beside_the_file_that_names_it() {
     let folder = tempfile::tempdir().expect("there is a place for temporary files");

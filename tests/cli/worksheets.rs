@@ -183,6 +183,23 @@ fn the_lab_of_a_worksheet_has_data_that_can_be_fitted() {
     assert!((told / error - 1.0).abs() < 0.5, "{told} {error}");
 }
 
+/// In the lab at rest nothing changes, and at the least speed no more than noise does.
+#[test]
+fn a_lab_that_cannot_be_fitted_is_named_with_its_line() {
+    let heading = LESSON.lines().position(|line| line == "## Lab").expect("a lab");
+    for beta in ["-0.0", "5e-324"] {
+        let state = format!("fit-samples = 12\n[motion]\nbeta = {beta}");
+        let folder = Folder::with_lesson(&LESSON.replace("fit-samples = 12", &state));
+        for sheet in ["--lab", "--teacher"] {
+            let mut command = gamow();
+            command.arg("lesson").arg("own.md").arg(sheet).arg("sheet.html").current_dir(folder.0.path());
+            let complaint = run(&mut command, b"").complaint();
+            let place = format!("gamow: own.md:{}: the lab: ", heading + 4);
+            assert!(complaint.starts_with(&place), "{complaint} for {place}");
+        }
+    }
+}
+
 /// What is written in base 64 (RFC 4648).
 fn decoded(text: &str) -> String {
     let digit = |c: char| match c {

@@ -136,8 +136,9 @@ export class Window {
         return new URLSearchParams(hash.slice(1));
     }
 
+    // What is kept under this name, for the page in the root folder of its server.
     stored(name) {
-        return this.page.evaluate(name => localStorage.getItem(name), name);
+        return this.page.evaluate(name => localStorage.getItem(`/:${name}`), name);
     }
 
     // Waits for these milliseconds, and for the frames in which the window answers: a busy machine takes
@@ -215,7 +216,9 @@ export class Window {
     // The number of different colours in a PNG as base64, of every fourth pixel.
     coloursOf(picture) {
         return this.page.evaluate(async picture => {
-            const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
+            // The page may fetch nothing but its own files.
+            const bytes = Uint8Array.from(atob(picture), letter => letter.charCodeAt(0));
+            const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
             const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), pen = canvas.getContext('2d');
             pen.drawImage(bitmap, 0, 0);
             const { data } = pen.getImageData(0, 0, bitmap.width, bitmap.height), seen = new Set();

@@ -394,6 +394,39 @@ test('after the first visit no network is needed', () => inWindow('#scene=globe'
     assert.notEqual(address, server.address);
 }));
 
+test("other pages' caches stay, and nothing outside of the page's own server is asked", async () => {
+    const site = await serve();
+    const window = await Window.open(browser, server.address, '#scene=globe');
+    const others = ['another page', 'gamow /elsewhere/ 1'];
+    // They are there before the page comes for the first time.
+    await window.page.goto(`${site.address}icon.png`);
+    await window.page.evaluate(names => Promise.all(names.map(name => caches.open(name))), [...others, 'gamow / outdated']);
+    await window.page.goto(`${site.address}#scene=globe`);
+    await window.shown();
+    const kept = await eventually('the page is kept', () => window.page.evaluate(async () => {
+        const registration = await navigator.serviceWorker.getRegistration();
+        const names = await caches.keys();
+        return registration?.active?.state === 'activated' && !names.includes('gamow / outdated') && names;
+    }), 60_000);
+    assert.deepEqual(kept.filter(name => others.includes(name)), others);
+    const own = kept.filter(name => name.startsWith('gamow / '));
+    assert.equal(own.length, 1);
+    const licences = await window.page.evaluate(async name => {
+        const response = await (await caches.open(name)).match('./LICENSES-THIRD-PARTY.txt');
+        return (await response.text()).length;
+    }, own[0]);
+    assert.ok(licences > 1000, `${licences}`);
+    const refused = await window.page.evaluate(() => new Promise(done => {
+        addEventListener('securitypolicyviolation', ({ effectiveDirective }) => done(effectiveDirective));
+        fetch('http://localhost:9/').then(() => done('nothing'), () => {});
+    }));
+    assert.equal(refused, 'connect-src');
+    // The refusal is in the console, and that icon.png has no icon of its own.
+    window.problems.length = 0;
+    await window.close();
+    site.close();
+});
+
 test('a screen of two pixels a point is drawn sharply', async () => {
     const sharp = await launch({ scale: 2 });
     try {

@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyDictMethods};
 
 use crate::errors::of_command;
+use crate::threads::detached;
 
 /// The studio of `settings` and the frame that they show, for `work`.
 fn drawn<T: Send>(
@@ -18,11 +19,11 @@ fn drawn<T: Send>(
     settings: &Settings,
     work: impl FnOnce(&mut Studio, &gamow::studio::StudioFrame) -> anyhow::Result<T> + Send,
 ) -> PyResult<T> {
-    let result = py.detach(|| {
+    let result = detached(py, || {
         let mut studio = Studio::new(fitted(settings.clone())?)?;
         let frame = studio.frame(None)?;
         work(&mut studio, &frame)
-    });
+    })?;
     result.map_err(|error| of_command(&error))
 }
 

@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, Command};
+use gamow::files::syntax::british;
 use gamow::settings::problem_in_one_line;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyInt, PyString};
@@ -25,7 +26,7 @@ pub fn parsed<A: Args>(
     let mut given = Vec::new();
     for (keyword, value) in keywords.into_iter().flatten() {
         let keyword: String = keyword.extract()?;
-        let name = keyword.trim_end_matches('_').replace('_', "-");
+        let name = british(&keyword.trim_end_matches('_').replace('_', "-")).into_owned();
         let flag = command.get_arguments().find(|flag| flag.get_long() == Some(&name));
         let Some(flag) = flag.filter(|_| !hidden.contains(&name.as_str())) else {
             let known = command.get_arguments().filter_map(|flag| flag.get_long());

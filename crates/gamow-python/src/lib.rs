@@ -19,6 +19,7 @@ mod readings;
 mod scene;
 mod state;
 mod tables;
+mod threads;
 
 use pyo3::prelude::*;
 
@@ -41,6 +42,7 @@ mod python {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        super::threads::note_process();
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

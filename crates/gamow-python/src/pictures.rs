@@ -16,6 +16,7 @@ use pyo3::types::{PyDict, PyDictMethods};
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
 use crate::state::State;
+use crate::threads::detached;
 
 /// The picture of a state, as `gamow render` draws it.
 ///
@@ -76,7 +77,7 @@ fn measured_in_files<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let words = std::iter::once(OsString::from("--")).chain(files.iter().map(|file| file.clone().into()));
     let args: MeasureArgs = parsed(flags, words.collect(), &["out"])?;
-    let table = py.detach(|| args.measured()).map_err(|error| of_command(&error))?;
+    let table = detached(py, || args.measured())?.map_err(|error| of_command(&error))?;
     for remark in &table.remarks {
         let remark = std::ffi::CString::new(remark.replace('\0', " "))?;
         PyErr::warn(py, &py.get_type::<PyUserWarning>(), &remark, 1)?;
@@ -112,7 +113,7 @@ fn measured_in_state<'py>(
         py.import("shutil")?.call_method1("copyfile", (scene, &copy))?;
         settings.scene = copy.to_string_lossy().into_owned();
     }
-    let drawn = py.detach(|| {
+    let drawn = detached(py, || {
         let mut studio = Studio::new(fitted(settings)?)?;
         let draw = |(number, &time): (usize, &f64)| {
             let path = frame_path(&place, u32::try_from(number)?, kind);
@@ -121,7 +122,7 @@ fn measured_in_state<'py>(
         };
         times.iter().enumerate().try_for_each(draw)
     });
-    let drawn = drawn.map_err(|error: anyhow::Error| of_command(&error));
+    let drawn = drawn.and_then(|drawn: anyhow::Result<()>| drawn.map_err(|error| of_command(&error)));
     let measured = drawn.and_then(|()| measured_in_files(py, &[place], Some(flags)));
     folder.call_method0("cleanup")?;
     measured

@@ -12,6 +12,7 @@ use relativity_core::Model;
 use crate::arrays::{Columns, dictionary, results};
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
+use crate::threads::detached;
 
 /// Computes what both eyes see of points: the columns of `gamow eval`.
 ///
@@ -90,7 +91,7 @@ pub fn curve<'py>(py: Python<'py>, flags: Option<&Bound<'py, PyDict>>) -> PyResu
             args.samples()
         )));
     }
-    let table = py.detach(|| {
+    let table = detached(py, || {
         let curve = args.curve()?;
         let names = curve.columns()?;
         let mut columns: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
@@ -98,7 +99,7 @@ pub fn curve<'py>(py: Python<'py>, flags: Option<&Bound<'py, PyDict>>) -> PyResu
             columns.iter_mut().zip(row?).for_each(|(column, value)| column.push(value));
         }
         Ok((names, columns))
-    });
+    })?;
     let (names, columns) = table.map_err(|error: anyhow::Error| of_command(&error))?;
     let dictionary = PyDict::new(py);
     for (name, column) in names.into_iter().zip(columns) {
@@ -155,7 +156,7 @@ fn filled<'py>(
     let (rows, inputs) = (columns.rows(), columns.inputs()?);
     let batch = Batch { header: &header, inputs: &inputs, rows };
     let slices = arrays.iter_mut().map(|array| Ok(array.as_slice_mut()?)).collect::<PyResult<Vec<_>>>()?;
-    py.detach(|| batch.fill(wanted, &model, slices))
+    detached(py, || batch.fill(wanted, &model, slices))?
         .map_err(|error| value_error(format_args!("{}{error}", columns.place(error.row))))?;
     dictionary(py, &written, arrays, out)
 }

@@ -15,6 +15,7 @@ use pyo3::types::{PyDict, PyString};
 use crate::arrays::Columns;
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
+use crate::threads::detached;
 
 /// Fits speed and distance of a point to the disparities that two eyes measured: what `gamow fit --json`
 /// writes, as a dict.
@@ -40,13 +41,13 @@ pub fn fit<'py>(
         interrupt.is_none()
     };
     let report = if let Ok(path) = data.extract::<PathBuf>() {
-        py.detach(|| {
+        detached(py, || {
             let (name, input) = csv_in::open(Some(&path))?;
             args.fitted_while(&name, input, is_wanted)
-        })
+        })?
     } else {
         let csv = csv_of(data)?;
-        py.detach(|| args.fitted_while("data", Cursor::new(csv), is_wanted))
+        detached(py, || args.fitted_while("data", Cursor::new(csv), is_wanted))?
     };
     if let Some(interrupt) = interrupt {
         return Err(interrupt);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use gamow::files::whole::write_whole;
 use gamow_platform::files;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyType};
 
 use crate::errors::{of_command, value_error};
 use crate::flags::word;
@@ -106,6 +106,22 @@ impl Scene {
                 "a scene from text or a dict has no file: scene.save('scene.toml') writes one",
             )),
         }
+    }
+
+    /// Pickles the scene as its name, its path or its text, for workers in other processes.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> (Bound<'py, PyType>, (&str,)) {
+        let (SceneSource::Named(text) | SceneSource::Text(text)) = &self.source;
+        (py.get_type::<Self>(), (text,))
+    }
+
+    /// The scene itself, which never changes.
+    fn __copy__(scene: Bound<'_, Self>) -> Bound<'_, Self> {
+        scene
+    }
+
+    /// As `copy.copy`.
+    fn __deepcopy__<'py>(scene: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        scene
     }
 
     fn __repr__(&self) -> String {

@@ -1,5 +1,8 @@
 """Scenes against the command's list of bodies, and in pictures."""
 
+import copy
+import pickle
+
 import gamow
 import numpy as np
 import pytest
@@ -43,6 +46,12 @@ def test_ways_to_give_a_scene_agree(tmp_path):
     pictures.append(gamow.render({"scene": saved}, **SMALL))
     assert all((picture == pictures[0]).all() for picture in pictures)
     assert gamow.Scene() == gamow.Scene("street") != gamow.Scene("cyclist")
+
+
+def test_scenes_are_pickled_and_copied(tmp_path):
+    for scene in (gamow.Scene("tram"), gamow.Scene(GROUPS), gamow.Scene(BALL).save(tmp_path / "ball.toml")):
+        for other in (pickle.loads(pickle.dumps(scene)), copy.copy(scene), copy.deepcopy(scene)):
+            assert other == scene and repr(other) == repr(scene)
 
 
 @pytest.mark.parametrize("source, message", [

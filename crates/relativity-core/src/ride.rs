@@ -1,7 +1,7 @@
 //! A ride: an observer who accelerates, in legs of constant proper acceleration.
 //!
-//! Each leg is one closed step, so any moment of a ride is told without the moments before it, whatever the
-//! length of the steps in which it is played. Time is the rider's own: at a Lorentz factor of 1e12 one unit
+//! Each leg is one closed step, and a ride keeps the moments at the ends of its legs: any moment is found by
+//! bisection among them, whatever the length of the steps in which it is played. Time is the rider's own: at a Lorentz factor of 1e12 one unit
 //! of it is 1e12 of the street's.
 //!
 //! # Conventions
@@ -16,6 +16,8 @@
 //! Thomas precession): the turn of the head against the observer's axes is kept as a unit quaternion.
 //!
 //! Reference: W. Rindler, *Introduction to Special Relativity* (1991), for constant proper acceleration.
+
+use std::sync::Arc;
 
 use crate::math;
 use crate::observer::{Observer, ObserverVelocity};
@@ -85,7 +87,7 @@ pub struct Odometers {
 /// // Out and back in eight units of my proper time: 14.5 have gone by at home.
 /// let leg = |acceleration| Leg { duration: 2.0, acceleration: [acceleration, 0.0, 0.0] };
 /// let legs = vec![leg(1.0), leg(-1.0), leg(-1.0), leg(1.0)];
-/// let there_and_back = Ride { start: RideMoment::AT_REST, legs };
+/// let there_and_back = Ride::new(RideMoment::AT_REST, legs);
 /// let home = there_and_back.at(8.0);
 /// assert!((home.time - 14.507_441_63).abs() < 1e-8 && home.place[0].abs() < 1e-14);
 /// assert_eq!(home.observer()?.velocity.speed().gamma(), 1.0);
@@ -93,10 +95,10 @@ pub struct Odometers {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ride {
-    /// The moment at which the ride starts.
-    pub start: RideMoment,
-    /// Legs of the ride, in order; after the last the rider coasts.
-    pub legs: Vec<Leg>,
+    start: RideMoment,
+    legs: Arc<[Leg]>,
+    /// The moment and the odometers at the end of each leg.
+    ends: Vec<(RideMoment, Odometers)>,
 }
 
 impl RideMoment {
@@ -151,54 +153,6 @@ impl RideMoment {
         }
     }
 
-    /// Returns the moment when the rider's clock shows `proper_time`, of a ride with these `legs` that starts
-    /// with this one.
-    #[must_use]
-    pub fn along(&self, legs: &[Leg], proper_time: f64) -> Self {
-        let mut moment = *self;
-        for leg in legs {
-            let left = proper_time - moment.proper_time;
-            if left <= leg.duration {
-                return moment.after(left, if left < 0.0 { [0.0; 3] } else { leg.acceleration });
-            }
-            moment = moment.after(leg.duration, leg.acceleration);
-        }
-        moment.after(proper_time - moment.proper_time, [0.0; 3])
-    }
-
-    /// Returns the odometers when the rider's clock shows `proper_time`, of a ride along the street with
-    /// these `legs`, which starts with this moment and the odometers at 0.
-    #[must_use]
-    pub fn odometers(&self, legs: &[Leg], proper_time: f64) -> Odometers {
-        let RiderVelocity::AlongStreet { mut rapidity } = self.velocity else { return Odometers::default() };
-        let mut left = proper_time - self.proper_time;
-        if left < 0.0 {
-            return Odometers { rolled: left * math::tanh(rapidity), ..Odometers::default() };
-        }
-        let mut total = Odometers::default();
-        let coasting = Leg { duration: f64::INFINITY, acceleration: [0.0; 3] };
-        for leg in legs.iter().chain([&coasting]) {
-            let duration = leg.duration.min(left);
-            let end = rapidity + duration * leg.acceleration[0];
-            let gained = end - rapidity;
-            // Where it turns round it is at rest.
-            let turn = if rapidity * end < 0.0 { 0.0 } else { end };
-            for (from, to) in [(rapidity, turn), (turn, end)] {
-                let share = if gained == 0.0 { 1.0 } else { (to - from) / gained };
-                let part = Odometers::of_part(from.abs().min(to.abs()), (to - from).abs(), share * duration);
-                total = total.and(part, from + to);
-                if gained == 0.0 {
-                    break;
-                }
-            }
-            (rapidity, left) = (end, left - duration);
-            if left <= 0.0 {
-                break;
-            }
-        }
-        total
-    }
-
     /// Along the street rapidities add up; T and x grow by sums of products, in which nothing cancels at any
     /// speed.
     fn along_street(&self, rapidity: f64, duration: f64, acceleration: f64) -> Self {
@@ -248,6 +202,22 @@ impl RideMoment {
 }
 
 impl Odometers {
+    /// Returns the readings after a `leg` that starts with this `rapidity` along the street.
+    fn after(self, rapidity: f64, Leg { duration, acceleration }: Leg) -> Self {
+        let gained = duration * acceleration[0];
+        let end = rapidity + gained;
+        if gained == 0.0 {
+            return self.and(Self::of_part(rapidity.abs(), 0.0, duration), rapidity);
+        }
+        // Where it turns round it is at rest.
+        let turn = if rapidity * end < 0.0 { 0.0 } else { end };
+        [(rapidity, turn), (turn, end)].into_iter().fold(self, |total, (from, to)| {
+            let share = (to - from) / (end - rapidity);
+            let part = Self::of_part(from.abs().min(to.abs()), (to - from).abs(), share * duration);
+            total.and(part, from + to)
+        })
+    }
+
     /// Returns the readings after a part of this `duration`, in which the rapidity grows from `slower`, 0 or
     /// more, by `gained`.
     fn of_part(slower: f64, gained: f64, duration: f64) -> Self {
@@ -273,22 +243,59 @@ impl Odometers {
 }
 
 impl Ride {
-    /// Returns the odometers when the rider's clock shows `proper_time`.
+    /// A ride from `start` with these `legs`, in order; after the last the rider coasts.
     #[must_use]
-    pub fn odometers(&self, proper_time: f64) -> Odometers {
-        self.start.odometers(&self.legs, proper_time)
-    }
-
-    /// Returns the moment when the rider's clock shows `proper_time`; before the start that moves as at it.
-    #[must_use]
-    pub fn at(&self, proper_time: f64) -> RideMoment {
-        self.start.along(&self.legs, proper_time)
+    pub fn new(start: RideMoment, legs: impl Into<Arc<[Leg]>>) -> Self {
+        let legs: Arc<[Leg]> = legs.into();
+        let first = (start, Odometers::default());
+        let ends = legs.iter().scan(first, |(moment, odometers), leg| {
+            if let RiderVelocity::AlongStreet { rapidity } = moment.velocity {
+                *odometers = odometers.after(rapidity, *leg);
+            }
+            *moment = moment.after(leg.duration, leg.acceleration);
+            Some((*moment, *odometers))
+        });
+        let ends = ends.collect();
+        Self { start, legs, ends }
     }
 
     /// Duration of all legs by the rider's own clock.
     #[must_use]
     pub fn duration(&self) -> f64 {
         self.legs.iter().map(|leg| leg.duration).sum()
+    }
+
+    /// Returns the odometers when the rider's clock shows `proper_time`, at 0 at the start; at 0 all along
+    /// where the velocity there is not along the street.
+    #[must_use]
+    pub fn odometers(&self, proper_time: f64) -> Odometers {
+        let (moment, odometers, leg) = self.leg_at(proper_time);
+        match moment.velocity {
+            RiderVelocity::AlongStreet { rapidity } if leg.duration < 0.0 => {
+                Odometers { rolled: leg.duration * math::tanh(rapidity), ..Odometers::default() }
+            }
+            RiderVelocity::AlongStreet { rapidity } => odometers.after(rapidity, leg),
+            RiderVelocity::Any { .. } => Odometers::default(),
+        }
+    }
+
+    /// Returns the moment when the rider's clock shows `proper_time`; before the start that moves as at it.
+    #[must_use]
+    pub fn at(&self, proper_time: f64) -> RideMoment {
+        let (moment, _, leg) = self.leg_at(proper_time);
+        moment.after(leg.duration, leg.acceleration)
+    }
+
+    /// Returns the moment and the odometers at the start of the leg that is ridden when the rider's clock
+    /// shows `proper_time`, and the part of that leg until then. Before the start that has a duration below 0.
+    fn leg_at(&self, proper_time: f64) -> (RideMoment, Odometers, Leg) {
+        let number = self.ends.partition_point(|(end, _)| end.proper_time < proper_time);
+        let before = number.checked_sub(1).map(|before| self.ends[before]);
+        let (moment, odometers) = before.unwrap_or((self.start, Odometers::default()));
+        let duration = proper_time - moment.proper_time;
+        let pushed = self.legs.get(number).filter(|_| duration >= 0.0);
+        let acceleration = pushed.map_or([0.0; 3], |leg| leg.acceleration);
+        (moment, odometers, Leg { duration, acceleration })
     }
 }
 

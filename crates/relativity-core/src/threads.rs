@@ -4,11 +4,9 @@
 //! consists of the calling thread, so that the same code runs there, one task after the other. No result
 //! depends on the number of threads.
 
-pub use rayon::{current_num_threads, join, prelude};
+pub use rayon::{ThreadPool, ThreadPoolBuilder, current_num_threads, join, prelude};
 
 use std::sync::LazyLock;
-
-use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// A pool of half as many threads as there are; `None` where none can be started.
 static HALF: LazyLock<Option<ThreadPool>> = LazyLock::new(|| {

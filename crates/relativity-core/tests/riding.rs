@@ -279,8 +279,8 @@ fn where_a_wheel_meets_the_road_a_rider_sees_the_road() {
 }
 
 fn legs(parts: &[(f64, [f64; 3])]) -> Ride {
-    let legs = parts.iter().map(|&(duration, acceleration)| Leg { duration, acceleration }).collect();
-    Ride { start: RideMoment::AT_REST, legs }
+    let legs = parts.iter().map(|&(duration, acceleration)| Leg { duration, acceleration });
+    Ride::new(RideMoment::AT_REST, legs.collect::<Vec<_>>())
 }
 
 /// Own time, T, place and proper velocity of accelerated rides, and the turn of the head about z in degrees.
@@ -319,6 +319,38 @@ fn rides_end_where_they_were_worked_out_to_end() {
             assert!((value - told).abs() <= 1e-9 * (1.0 + told.abs()), "{value} for {told}: {end:?}");
         }
         assert_eq!(ride.duration(), proper_time);
+    }
+}
+
+/// Any moment and both odometers of a ride of many legs, found by bisection, are those of step after step.
+#[test]
+fn a_moment_of_many_legs_is_that_of_one_after_the_other() {
+    for aside in [0.0, 0.3] {
+        let leg = |number: u32| {
+            let ahead = if number.is_multiple_of(3) { -0.9 } else { 0.6 };
+            let duration = f64::from(number % 4) / 8.0;
+            (duration, [ahead, aside * f64::from(number % 2), 0.0])
+        };
+        let parts: Vec<_> = (0..60).map(leg).collect();
+        let ride = legs(&parts);
+        let (mut moment, mut before) = (RideMoment::AT_REST, Odometers::default());
+        for &(duration, acceleration) in &parts {
+            for part in [0.0, 0.25, 1.0] {
+                let expected = moment.after(part * duration, acceleration);
+                let found = ride.at(expected.proper_time);
+                assert!((found.time - expected.time).abs() <= 1e-12 * (1.0 + expected.time), "{found:?}");
+                for (a, b) in found.place.into_iter().zip(expected.place) {
+                    assert!((a - b).abs() < 1e-11, "{found:?} for {expected:?}");
+                }
+                let odometers = ride.odometers(expected.proper_time);
+                let counts_on =
+                    odometers.by_wheel >= before.by_wheel && odometers.by_lamps >= before.by_lamps;
+                assert!(counts_on || aside != 0.0, "{odometers:?} after {before:?}");
+                before = odometers;
+            }
+            moment = moment.after(duration, acceleration);
+        }
+        assert_eq!(ride.at(-1.0).place, [0.0; 3]);
     }
 }
 
@@ -431,6 +463,6 @@ fn odometers_add_up_what_is_ridden() {
     let rapidity = 10.0_f64.acosh();
     let start = RideMoment { velocity: RiderVelocity::AlongStreet { rapidity }, ..RideMoment::AT_REST };
     let Odometers { by_wheel, by_lamps, .. } =
-        Ride { start, legs: Vec::new() }.odometers(100.0 / 99.0_f64.sqrt());
+        Ride::new(start, Vec::new()).odometers(100.0 / 99.0_f64.sqrt());
     assert!((by_wheel - 10.0).abs() < 1e-13 && (by_lamps - 100.0).abs() < 1e-12, "{by_wheel} {by_lamps}");
 }

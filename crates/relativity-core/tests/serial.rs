@@ -175,7 +175,7 @@ fn a_rider_who_accelerates_taken_as_coasting_is_remarked_on() {
         let start = RideMoment { place: [-2.0 * case.y, 0.0, 0.0], ..RideMoment::AT_REST };
         let moving = start.after(math::atanh(0.6 * case.beta) / leg.acceleration[0], leg.acceleration);
         let start = RideMoment { place: start.place, proper_time: 0.0, time: 0.0, ..moving };
-        let ride = Ride { start, legs: vec![leg] };
+        let ride = Ride::new(start, vec![leg]);
         let lamp = SourcePoint { x0: 0.0, y: case.y, z: case.z };
         let seen = |number: usize| {
             let clock = 6.0 * case.y * number as f64 / 40.0;

@@ -260,9 +260,16 @@ fn unshouldered(colour: vec3f) -> vec3f {
 // What is received of paint on the street or of the sky, see `light/street_light.rs`.
 fn received_from_street(painted: vec3f, doppler: f32) -> vec3f {
     let octaves = log2(doppler);
-    let tint = looked_up(STREET_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * (octaves * frame.street_light.x));
-    let power = frame.street_light.y * tint.a + frame.street_light.z * octaves + frame.street_light.w;
-    let light = unshouldered(painted) * tint.rgb * power_of_two(power);
+    let paint = unshouldered(painted);
+    var seen: vec4f;
+    if STREET_ROW == FIRST_SUNLIT {
+        seen = sunlit(FIRST_SUNLIT, paint, SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * (octaves * frame.street_light.x));
+    } else {
+        let tint = looked_up(FALSE_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * (octaves * frame.street_light.x));
+        seen = vec4f(paint * tint.rgb, tint.a);
+    }
+    let power = frame.street_light.y * seen.a + frame.street_light.z * octaves + frame.street_light.w;
+    let light = on_screen(seen.rgb * power_of_two(power));
     let largest = max(light.r, max(light.g, light.b));
     return light * (shoulder(largest) / max(largest, 1e-30));
 }

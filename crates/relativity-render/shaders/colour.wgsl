@@ -1,8 +1,8 @@
 // Received light: from a Doppler factor to linear sRGB. The same as `screen_light.rs`, `tone.rs`, `hatch.rs`
 // and `shade.rs` in `light/`, by tables.
 
-// How colours are found: 0 as at rest, 1 by one place in a table, 2 daylight, 3 by the Doppler factor, 4 the
-// street's daylight.
+// How colours are found: 0 as at rest, 1 by a place in the tables, 2 the street's daylight, 3 by the Doppler
+// factor.
 override SPECTRUM: u32;
 // Whether the Doppler factor shifts the wavelength.
 override DOPPLER_SHIFT: bool;
@@ -17,36 +17,33 @@ override LIGHT_Z: f32;
 // Brightness of a surface at right angles to that light, and how much turning towards it adds.
 override FORM_ACROSS: f32;
 override FORM_TOWARDS: f32;
-// Of the tables: entries per octave, and the place of daylight at rest.
+// Of the tables: entries per octave, and the number of rows of paints in daylight.
+override LINE_PER_OCTAVE: f32;
 override GLOW_PER_OCTAVE: f32;
-override BAND_PER_OCTAVE: f32;
-override DAYLIGHT_PLACE: f32;
-// log2 of the quanta of daylight at the beginning of the table of bands.
-override DAYLIGHT_QUANTA: f32;
+override PAINTS: i32;
 // Below this speed the parts of the street's daylight are weighted as at it; and the largest gamma beta that
 // it lights.
 override LEAST_BETA: f32;
 override MOST_RAPID: f32;
 
-// The tables' rows. The share of a light that eyes do not see stands in the row after it.
-const LINE_ROW = 0;
-const GLOW_ROW = 2;
-const BAND_ROW = 4;
-const MAP_ROW = 5;
+const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
 
 // `light` as a screen shows it; w: its unseen share, where it is all but black.
-fn shown(light: vec3f, row: i32, place: f32) -> vec4f {
+fn shown(light: vec3f, unseen: f32) -> vec4f {
     let largest = max(light.r, max(light.g, light.b));
     let toned = shoulder(largest);
-    let colour = light * (toned / max(largest, 1e-30));
-    var unseen = 0.0;
-    if INVISIBLE {
-        let left = 1.0 - toned;
-        let last = f32(textureDimensions(tables).x) - 1.0;
-        let entry = vec2i(i32(clamp(place, 0.0, last) + 0.5), row + 1);
-        unseen = textureLoad(tables, entry, 0).r * (left * left * left * left);
+    let left = 1.0 - toned;
+    return vec4f(light * (toned / max(largest, 1e-30)), unseen * (left * left * left * left));
+}
+
+// The unseen share of light of this row.
+fn unseen_at(row: i32, place: f32) -> f32 {
+    if !INVISIBLE {
+        return 0.0;
     }
-    return vec4f(colour, unseen);
+    let last = f32(textureDimensions(tables).x) - 1.0;
+    let entry = i32(clamp(place, 0.0, last) + 0.5);
+    return textureLoad(tables, vec2i(entry, select(row + 2, UNSEEN_DAYLIGHT_ROW, row >= FIRST_SUNLIT)), 0).r;
 }
 
 // The colour of light with this unseen share, from -1 (ultraviolet) to 1 (infrared), in the pixel with this
@@ -59,28 +56,49 @@ fn hatched(unseen: f32, pixel: vec2f) -> vec3f {
     return abs(unseen) * (between + frame.hatch[0].w * cover);
 }
 
-// `light`: of one place in a table that place at rest, how far it moves per octave of the shift (back for
-// light of one wavelength, forth for a black body), the exponent n of D^n, and log2 of the exposure.
-fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec4f {
-    let row = select(GLOW_ROW, LINE_ROW, light.y < 0.0);
-    let place = light.x + light.y * shift;
-    let entry = looked_up(row, place);
-    return shown(entry.rgb * power_of_two(entry.a + light.z * octaves + light.w), row, place);
+// How far a place in this row moves per octave of the shift: back for light of one wavelength.
+fn per_octave_of(row: i32) -> f32 {
+    return select(select(GLOW_PER_OCTAVE, -LINE_PER_OCTAVE, row == LINE_ROW), SUNLIT_PER_OCTAVE, row >= FIRST_SUNLIT);
 }
 
-// `light`: of daylight the band's place at rest, log2 of the exposure for the band and for all wavelengths,
-// and the exponent with which the band becomes brighter.
-fn of_daylight(light: vec4f, octaves: f32, shift: f32) -> vec4f {
-    let place = DAYLIGHT_PLACE + GLOW_PER_OCTAVE * shift;
-    let white = looked_up(GLOW_ROW, place);
-    let own = looked_up(BAND_ROW, light.x - BAND_PER_OCTAVE * shift);
-    let exponent = select(light.w, 0.0, DOPPLER_SHIFT);
-    let white_power = white.a + exponent * octaves + light.z;
-    let own_power = own.a + light.w * octaves + light.y;
-    // Beyond what floats hold both are held back alike: so their mixture keeps its hue.
-    let beyond = max(max(white_power, own_power) - MOST_POWER, 0.0);
-    let sum = white.rgb * power_of_two(white_power - beyond) + own.rgb * power_of_two(own_power - beyond);
-    return shown(sum, GLOW_ROW, place);
+// `light` as `Light::packed` in `light/screen_light.rs` has it. Of `paint` the last number is below 0 where
+// there is none, else it is one more than the number of a measured material, or 0 for the others.
+fn of_place(light: vec4f, octaves: f32, shift: f32, paint: vec4f) -> vec4f {
+    var row = kind_of(light, paint);
+    var place: f32;
+    var entry: vec4f;
+    if row < 0 {
+        place = SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * shift;
+        row = FIRST_SUNLIT;
+        entry = sunlit(FIRST_SUNLIT, shares_of(light, paint), place);
+    } else {
+        place = light.y + per_octave_of(row) * shift;
+        entry = risen(looked_up(row, place), place, abs(per_octave_of(row)));
+    }
+    var linear = entry.rgb * power_of_two(entry.a + light.z * octaves + light.w);
+    if row >= FIRST_SUNLIT {
+        linear = on_screen(linear);
+    } else if paint.w >= 0.0 {
+        linear *= paint.rgb;
+    }
+    return shown(linear, unseen_at(row, place));
+}
+
+// The row of this light on this paint; -1 for smooth paint.
+fn kind_of(light: vec4f, paint: vec4f) -> i32 {
+    if light.x >= 0.0 {
+        return -1;
+    }
+    let row = i32(-light.x) - 1;
+    if paint.w >= 0.0 && row == WHITE_ROW {
+        return select(-1, WHITE_ROW + i32(paint.w), paint.w > 0.0);
+    }
+    return row;
+}
+
+// The shares of red, green and blue in smooth paint.
+fn shares_of(light: vec4f, paint: vec4f) -> vec3f {
+    return select(paint.rgb, vec3f(light.xy, 1.0 - light.x - light.y), light.x >= 0.0);
 }
 
 // The angle with this cosine, within 7e-5: M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions,
@@ -90,12 +108,6 @@ fn arc_cosine(cosine: f32) -> f32 {
     let sum = 1.5707288 + x * (-0.2121144 + x * (0.074261 - 0.0187293 * x));
     let angle = sqrt(max(1.0 - x, 0.0)) * sum;
     return select(angle, 3.14159265 - angle, cosine < 0.0);
-}
-
-// 1 - 2^-octaves.
-fn missing(octaves: f32) -> f32 {
-    let natural = octaves * 0.69314718;
-    return select(1.0 - power_of_two(-octaves), natural * (1.0 - 0.5 * natural), natural < 0.01);
 }
 
 // Places of Gauss and Legendre in [0, 1], and their weights.
@@ -108,8 +120,25 @@ const PARTS = array<vec2f, 6>(
     vec2f(0.9662347571, 0.0856622462),
 );
 
-// `light` as of daylight; its parts as `light/daylight.rs` has them, the hottest first.
-fn of_street_daylight(light: vec4f, shift: f32, facing: Facing) -> vec4f {
+// `light` and `paint` as above; its parts as `light/daylight.rs` has them, the hottest first. Paint other than
+// white is smooth paint that stands for it, and what is left of its colour: see `colour/sunlit.rs`.
+fn of_street_daylight(light: vec4f, shift: f32, facing: Facing, paint: vec4f) -> vec4f {
+    let row = kind_of(light, paint);
+    let seen_at = SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * shift;
+    var stand_in = vec3f(0.0);
+    var rest = vec3f(0.0);
+    if row < 0 {
+        let of_paint = shares_of(light, paint);
+        stand_in = sunlit(FIRST_SUNLIT + PAINTS, of_paint, seen_at).rgb;
+        rest = sunlit(FIRST_SUNLIT, of_paint, seen_at).rgb;
+    } else if row != WHITE_ROW {
+        stand_in = looked_up(row + PAINTS, seen_at).rgb;
+        rest = looked_up(row, seen_at).rgb;
+    }
+    let first_light = FIRST_SUNLIT + 2 * PAINTS;
+    if row != WHITE_ROW {
+        rest -= sunlit(first_light, stand_in, seen_at).rgb;
+    }
     let ahead = facing.ahead;
     let gamma = sqrt(1.0 + facing.rapid * facing.rapid);
     let beta = facing.rapid / gamma;
@@ -122,11 +151,6 @@ fn of_street_daylight(light: vec4f, shift: f32, facing: Facing) -> vec4f {
     let coldest = 1.0 + weighed * select(across, 1.0, faces_back);
     let first = log2(hottest);
     let octaves = log2(coldest / hottest);
-    let own = looked_up(BAND_ROW, light.x - BAND_PER_OCTAVE * shift);
-    let quanta = power_of_two(DAYLIGHT_QUANTA - light.x / BAND_PER_OCTAVE);
-    let own_power = own.a + light.w * shift + light.y + quanta;
-    let at_rest = missing(quanta);
-    let last = f32(textureDimensions(tables).x) - 1.0;
     var parts = PARTS;
     var sum = vec3f(0.0);
     var shares = 0.0;
@@ -141,44 +165,57 @@ fn of_street_daylight(light: vec4f, shift: f32, facing: Facing) -> vec4f {
         let seen = along * half_turn + sqrt(max(sideways * sideways - along * along, 0.0));
         let share = parts[i].y * slowed * seen;
         let log2_doppler = -log2(gamma * (below_light + beta * aside));
-        let place = DAYLIGHT_PLACE + GLOW_PER_OCTAVE * (shift + log2_doppler);
-        let white = looked_up(GLOW_ROW, place);
-        let received = quanta * power_of_two(-log2_doppler);
-        // Hotter than the table, light of any wavelength rises as the temperature.
-        let hotter = max(place - last, 0.0) / GLOW_PER_OCTAVE;
-        let white_power = white.a + light.z + hotter;
+        let place = SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * (shift + log2_doppler);
+        var entry: vec4f;
+        if row == WHITE_ROW {
+            entry = risen(looked_up(WHITE_ROW, place), place, SUNLIT_PER_OCTAVE);
+        } else {
+            entry = sunlit(first_light, stand_in, place) + vec4f(rest, 0.0);
+        }
+        let power = entry.a + light.w;
         if i == 0 {
             // Beyond what floats hold all are held back alike: so their mixture keeps its hue.
-            beyond = max(max(white_power, own_power - received) - MOST_POWER, 0.0);
+            beyond = max(power - MOST_POWER, 0.0);
             hottest_place = place;
         }
-        let more = at_rest / max(missing(received), 1e-30);
-        sum += share * (white.rgb * power_of_two(white_power - beyond)
-            + own.rgb * (power_of_two(own_power - received - beyond) * more));
+        sum += entry.rgb * (share * power_of_two(power - beyond));
         shares += share;
     }
-    return shown(sum / max(shares, 1e-30), GLOW_ROW, hottest_place);
+    return shown(on_screen(sum / max(shares, 1e-30)), unseen_at(FIRST_SUNLIT, hottest_place));
 }
 
-fn colour_of(light: vec4f, doppler: f32, facing: Facing) -> vec4f {
-    let octaves = log2(doppler);
-    let shift = select(0.0, octaves, DOPPLER_SHIFT);
-    switch SPECTRUM {
-        case 0u: { return light; }
-        case 1u: { return of_one_place(light, octaves, shift); }
-        case 2u: { return of_daylight(light, octaves, shift); }
-        case 4u: { return of_street_daylight(light, shift, facing); }
-        default: { return vec4f(looked_up(MAP_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb, 0.0); }
+fn colour_of(light: vec4f, doppler: f32, facing: Facing, paint: vec4f) -> vec4f {
+    let factors = select(vec3f(1.0), paint.rgb, paint.w >= 0.0);
+    if SPECTRUM == 0u {
+        return shown(light.rgb * factors, light.a);
     }
+    let octaves = log2(doppler);
+    if SPECTRUM == 3u {
+        let grey = dot(factors, LUMINANCE);
+        return vec4f(looked_up(MAP_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb * grey, 0.0);
+    }
+    let shift = select(0.0, octaves, DOPPLER_SHIFT);
+    let is_daylight = light.x >= 0.0 || i32(-light.x) - 1 >= FIRST_SUNLIT;
+    if SPECTRUM == 2u && is_daylight {
+        return of_street_daylight(light, shift, facing, paint);
+    }
+    return of_place(light, octaves, shift, paint);
 }
 
-// Of a body with this `light`, which is rgb and the unseen share at rest, else as above, in the pixel with
-// this middle. Form comes after the shoulder: so it shows in what is very bright, and in what is all but
+// Of a body with this `light`, which is rgb and the unseen share at rest, else as above, on this `paint`, in
+// the pixel with this middle. Form comes after the shoulder: so it shows in what is very bright, and in what is all but
 // black.
-fn received_colour(light: vec4f, doppler: f32, normal: vec3f, facing: Facing, pixel: vec2f) -> vec3f {
-    let found = colour_of(light, doppler, facing);
+fn received_colour(
+    light: vec4f,
+    paint: vec4f,
+    doppler: f32,
+    normal: vec3f,
+    facing: Facing,
+    pixel: vec2f,
+) -> vec3f {
+    let found = colour_of(light, doppler, facing, paint);
     var colour = found.rgb;
-    if INVISIBLE || SPECTRUM == 0u {
+    if INVISIBLE {
         colour += hatched(found.a, pixel);
     }
     if FORM {

@@ -10,7 +10,7 @@ struct Facing {
 // How what is at `place`, from the body's middle, with this `normal` faces the street's light, where that is
 // shown.
 fn facing_of(body: Body, place: vec3f, normal: vec3f, spin: Spin) -> Facing {
-    if SPECTRUM != 4u {
+    if SPECTRUM != 2u {
         return Facing(0.0, 0.0);
     }
     let sign = frame.motion.w;

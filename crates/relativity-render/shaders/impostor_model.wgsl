@@ -1,7 +1,6 @@
 // What the samples of a rectangle show of a model of triangles: each looks into the model for itself.
 //
-// Of a model `Piece.pattern` is the row that it begins with, whether it is seen from both sides, and whether
-// of its paint only the luminance is shown.
+// Of a model `Piece.pattern` is the row that it begins with, and whether it is seen from both sides.
 
 struct OfModel {
     triangle: u32,
@@ -91,8 +90,6 @@ fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
     }
     let spin = spin_of(fragment.spin, fragment.rim);
     let facing = facing_of(body, hit.place, hit.normal, spin);
-    let colour = received_colour(fragment.light, hit.doppler, hit.normal, facing, pixel)
-        * fragment.index_brightness.y;
     let row = u32(fragment.pattern.x);
     let record = hit.triangle & ~IS_LEAF;
     let there = standing(body, hit.place, spin).body;
@@ -101,8 +98,10 @@ fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
     // A sample is half a pixel wide.
     let paint = paint_at(row, record, hit.weights)
         * texture_at(row, record, hit.weights, there, hit.ray, normal, distance, 0.5);
-    let shown = select(paint, vec3f(dot(paint, LUMINANCE)), fragment.pattern.z > 0.0);
-    return Sample(vec4f(colour * shown, 1.0), depth(hit.ray, hit.beyond));
+    let painted = vec4f(paint, material_at(row, record));
+    let colour = received_colour(fragment.light, painted, hit.doppler, hit.normal, facing, pixel)
+        * fragment.index_brightness.y;
+    return Sample(vec4f(colour, 1.0), depth(hit.ray, hit.beyond));
 }
 
 @fragment

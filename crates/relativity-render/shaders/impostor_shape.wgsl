@@ -30,7 +30,8 @@ fn shaded(fragment: Fragment) -> Shaded {
     }
     let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
     let facing = facing_of(body, hit.place, hit.normal, spin);
-    var colour = received_colour(fragment.light, doppler, hit.normal, facing, fragment.position.xy)
+    let paint = vec4f(1.0, 1.0, 1.0, -1.0);
+    var colour = received_colour(fragment.light, paint, doppler, hit.normal, facing, fragment.position.xy)
         * fragment.index_brightness.y;
     if PATTERNS {
         let there = standing(body, hit.place, spin);

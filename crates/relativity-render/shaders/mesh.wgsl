@@ -429,9 +429,10 @@ fn picture(fragment: Fragment, @builtin(front_facing) is_front: bool) -> Picture
     let measure = measure(fragment);
     let turning = spin_of(fragment.spin, fragment.rim);
     let facing = facing_of(body_of(fragment), measure.place, measure.normal, turning);
-    var colour = received_colour(fragment.light, measure.doppler, measure.normal, facing, fragment.position.xy)
-        * fragment.width_brightness_index.y
-        * paint_in(fragment, measure);
+    let paint = paint_in(fragment, measure);
+    let pixel = fragment.position.xy;
+    var colour = received_colour(fragment.light, paint, measure.doppler, measure.normal, facing, pixel)
+        * fragment.width_brightness_index.y;
     if PATTERNS {
         let spin = spin_of(fragment.spin, fragment.rim);
         let there = standing(body_of(fragment), measure.place, spin);

@@ -51,7 +51,7 @@ fn normal_in(fragment: Fragment) -> vec3f {
     return rest_from_body(current_normal, standing(body_of(fragment), fragment.place, spin_of(fragment.spin, fragment.rim)).body);
 }
 
-fn paint_in(fragment: Fragment, measure: Measure) -> vec3f {
+fn paint_in(fragment: Fragment, measure: Measure) -> vec4f {
     let there = standing(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim));
     let body = there.body;
     let first = body_from_rest(there.place, body) - current.a;
@@ -69,7 +69,7 @@ fn paint_in(fragment: Fragment, measure: Measure) -> vec3f {
     let normal = body_from_rest(measure.normal, body);
     let paint = paint_at(row, record, shares)
         * texture_at(row, record, shares, body, measure.ray, normal, measure.distance, 1.0);
-    return select(paint, vec3f(dot(paint, LUMINANCE)), fragment.pattern.z > 0.0);
+    return vec4f(paint, material_at(row, record));
 }
 
 fn part_in(fragment: Fragment) -> f32 {

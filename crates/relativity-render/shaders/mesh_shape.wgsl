@@ -9,8 +9,8 @@ fn normal_in(fragment: Fragment) -> vec3f {
     return fragment.normal / max(length(fragment.normal), 1e-30);
 }
 
-fn paint_in(fragment: Fragment, measure: Measure) -> vec3f {
-    return vec3f(1.0);
+fn paint_in(fragment: Fragment, measure: Measure) -> vec4f {
+    return vec4f(1.0, 1.0, 1.0, -1.0);
 }
 
 fn part_in(fragment: Fragment) -> f32 {

@@ -8,9 +8,6 @@
 const MOST_WAITING = 64u;
 const IS_LEAF = 0x80000000u;
 
-// Weights of the relative luminance, as `colour/mod.rs` has them.
-const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
-
 // Where a ray meets a triangle.
 struct Met {
     // Record of the triangle, with `IS_LEAF` set; 0 where none is met.
@@ -68,6 +65,11 @@ fn paint_at(row: u32, record: u32, weights: vec3f) -> vec3f {
     return weights.x * vec3f(first, second.x)
         + weights.y * vec3f(second.y, third)
         + weights.z * vec3f(fourth, last.x);
+}
+
+// One more than the number of a triangle's measured material; 0 if it has smooth paint.
+fn material_at(row: u32, record: u32) -> f32 {
+    return f32(texel(row, record, 1u).w >> 16u);
 }
 
 // `v` turned in a circle of its parts, so that the part along `axis` is the last.

@@ -28,6 +28,7 @@ mod scenes;
 mod shaders;
 mod spokes;
 mod street_daylight;
+mod sunlight;
 mod support;
 mod textures;
 mod triangles;

@@ -2,7 +2,7 @@
 //! and no lookup.
 
 use relativity_render::colour::luminance;
-use relativity_render::colour::planck::{Broad, band, black_body};
+use relativity_render::colour::planck::{Broad, black_body};
 use relativity_render::{Appearance, Colour, Emission, received_intensity};
 
 const TABLE: &str = include_str!("../assets/cie-1931-2deg.csv");
@@ -90,15 +90,4 @@ fn colder_and_hotter_than_the_table_the_asymptotes_go_on() {
         let Broad { hue, log2_level } = black_body(octave);
         assert!(log2_level.is_finite() && hue.iter().all(|part| (0.0..=1.0).contains(part)), "2^{octave} K");
     }
-}
-
-#[test]
-fn a_band_has_the_colour_of_its_middle_and_fades_beyond_what_is_seen() {
-    let green = band(530f64.log2());
-    assert!(green.hue[1] == 1.0 && green.hue[0] < 0.5 && green.hue[2] < 0.5, "{green:?}");
-    let brightness = |nm: f64| log2_luminance(&band(nm.log2()));
-    assert!(brightness(250.0) < brightness(550.0) - 20.0);
-    assert!(brightness(1500.0) < brightness(550.0) - 20.0);
-    let middle: f64 = rows().map(|[nm, _, y, _]| y * (-0.5 * ((nm / 550.0).ln() / 0.12).powi(2)).exp()).sum();
-    assert!((brightness(550.0).exp2() / middle - 1.0).abs() < 5e-3);
 }

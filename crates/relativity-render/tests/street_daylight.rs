@@ -1,12 +1,12 @@
 //! Pictures by the street's daylight, beside those by daylight that rides along.
 
 use relativity_core::{Aperture, Speed};
-use relativity_render::colour::planck::{DAYLIGHT_KELVIN, black_body};
 use relativity_render::colour::srgb_encoded;
+use relativity_render::colour::sunlit::{colour, log2_level, on_screen};
 use relativity_render::light::tone::toned;
 use relativity_render::{
-    Appearance, Body, Camera, Colour, Gaze, Geometry, Group, Motion, Picture, PreparedScene, Shading, Shape,
-    Velocity, View,
+    Appearance, Body, Camera, Colour, Gaze, Geometry, Group, Motion, Paint, Picture, PreparedScene, Shading,
+    Shape, Velocity, View,
 };
 
 const SIZE: [u32; 2] = [64, 48];
@@ -99,7 +99,7 @@ fn to_a_rider_what_rests_is_lit_as_by_a_lamp_of_its_own() {
     assert!(own.rgba == street.rgba && own.rgba.iter().any(|pixel| *pixel != own.rgba[0]));
 }
 
-/// A white face that rides along with the eyes and looks ahead reflects the mean of the black bodies over the
+/// A white face that rides along with the eyes and looks ahead reflects the mean of shifted daylight over the
 /// half of the sky before it, weighted by the cosine, in the face's own frame.
 #[test]
 fn a_face_that_rides_along_reflects_the_crowded_sky_ahead() {
@@ -118,17 +118,16 @@ fn a_face_that_rides_along_reflects_the_crowded_sky_ahead() {
         let seen = middle(&scene.picture(&View { camera, ..at_rest }, &appearance, 1));
 
         let gamma = 1.0 / (1.0 - beta * beta).sqrt();
-        let daylight = black_body(DAYLIGHT_KELVIN.log2());
         let mut sum = [0.0; 3];
         for step in 0..STEPS {
             let cosine = (f64::from(step) + 0.5) / f64::from(STEPS);
             let towards = if looks_ahead { cosine } else { -cosine };
             let doppler = 1.0 / (gamma * (1.0 - beta * towards));
-            let light = black_body((DAYLIGHT_KELVIN * doppler).log2());
-            let weight = 2.0 * cosine / f64::from(STEPS) * (light.log2_level - daylight.log2_level).exp2();
-            sum = std::array::from_fn(|i| sum[i] + weight * light.hue[i]);
+            let light = colour(Paint::WHITE, doppler.log2());
+            let weight = 2.0 * cosine / f64::from(STEPS) * log2_level(doppler.log2()).exp2();
+            sum = std::array::from_fn(|i| sum[i] + weight * light[i]);
         }
-        let shown = toned(sum.map(|part| part * appearance.exposure_ev.exp2()));
+        let shown = toned(on_screen(sum).map(|part| part * appearance.exposure_ev.exp2()));
         let expected = shown.map(|part| 255.0 * srgb_encoded(part));
         for (seen, expected) in seen.into_iter().zip(expected) {
             assert!((seen - expected).abs() < 3.0, "at {beta}, ahead {looks_ahead}: {seen} for {expected}");

@@ -28,6 +28,7 @@ fn appearance() -> Appearance {
         colour: Colour::White,
         doppler_shift: false,
         intensity_exponent: None,
+        exposure_ev: -1.0,
         sky: false,
         ..Appearance::default()
     }

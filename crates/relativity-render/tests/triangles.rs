@@ -118,7 +118,13 @@ fn paint_is_mixed_between_corners_and_is_no_effect_of_false_colours() {
         assert!((red - (0.5 + 0.5 * hit.rest_position.x)).abs() < 1e-6, "{red} at {}", hit.rest_position);
         assert!((green - 0.5).abs() < 1e-6 && blue == 0.0);
     }
-    let appearance = Appearance { colour: Colour::White, sky: false, ..Appearance::default() };
+    let appearance = Appearance {
+        colour: Colour::White,
+        doppler_shift: false,
+        intensity_exponent: None,
+        sky: false,
+        ..Appearance::default()
+    };
     let [colours, plain] = [&painted, &white].map(|scene| scene.picture(&view, &appearance, 1).rgba);
     let pixels = || colours.iter().zip(&plain).filter(|(painted, white)| painted != white);
     assert!(

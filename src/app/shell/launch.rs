@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use eframe::egui::ViewportBuilder;
+use eframe::egui::{ViewportBuilder, ViewportCommand};
 use eframe::{CreationContext, NativeOptions};
 use gamow_platform::clock::Instant;
 use gamow_platform::last_word::LastWord;
 use gamow_platform::{environment, messages, threads};
-use relativity_render::colour::{self, planck};
+use relativity_render::colour::{self, planck, sunlit};
 
 use crate::app::shell::args::WindowArgs;
 use crate::app::shell::persistence::{Keeper, Loaded, Memory, recall};
@@ -23,6 +23,9 @@ use crate::settings::Settings;
 
 /// Name of the window for the system, and of the folder of its settings.
 const APP_ID: &str = "gamow";
+
+/// Least inner width and height of the window, points.
+const LEAST_SIDE: f32 = 320.0;
 
 const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 libxi6 libxkbcommon-x11-0 mesa-vulkan-drivers` \
     and start it inside a graphical session; without one, `gamow --screenshot window.png`, `gamow render --out cyclist.png` and \
@@ -59,7 +62,7 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
 /// Has the tables made in which colours are looked up, while the window opens: its first frame needs them,
 /// and they take longer than all else of it.
 fn begin_tables() {
-    threads::spawn(|| (colour::linear_srgb(550.0), planck::black_body(12.0), planck::band(9.0)));
+    threads::spawn(|| (colour::linear_srgb(550.0), planck::black_body(12.0), sunlit::log2_level(0.0)));
 }
 
 fn unopened(reason: &str) -> anyhow::Error {
@@ -107,7 +110,7 @@ fn open(
         .with_app_id(APP_ID)
         .with_icon(icon::icon())
         .with_inner_size(args.window_size_or_default().map(|side| side as f32))
-        .with_min_inner_size([320.0, 320.0]);
+        .with_min_inner_size([LEAST_SIDE; 2]);
     let viewport = if args.window_size().is_none() {
         keeper.placed(viewport)
     } else {
@@ -132,7 +135,11 @@ fn open(
         };
         keeper.memory().restore_in(&cc.egui_ctx, args.window_size().is_none());
         if args.window_size().is_none() {
-            bring_back(cc, &keeper.memory());
+            let memory = keeper.memory();
+            bring_back(cc, &memory);
+            if !memory.has_place() {
+                fit_on_screen(cc, args.window_size_or_default());
+            }
         }
         if let Some(render_state) = &cc.wgpu_render_state {
             painting::install(&cc.egui_ctx, render_state);
@@ -154,6 +161,24 @@ fn bring_back(cc: &CreationContext<'_>, memory: &Memory) {
         places.map(|pair: [f64; 2]| pair.map(|side| (side / scale) as f32))
     });
     memory.bring_back(&cc.egui_ctx, monitors);
+}
+
+/// Has a first window of this `size`, points, leave room on its screen for its frame and the desktop's panels.
+fn fit_on_screen(cc: &CreationContext<'_>, size: [u32; 2]) {
+    let Some(monitor) = cc.winit_window().and_then(|window| window.current_monitor()) else { return };
+    let screen = monitor.size().to_logical::<f32>(monitor.scale_factor());
+    let size = size.map(|side| side as f32);
+    let fitting = fitting(size, [screen.width, screen.height]);
+    if fitting != size {
+        cc.egui_ctx.send_viewport_cmd(ViewportCommand::InnerSize(fitting.into()));
+    }
+}
+
+/// Returns `size`, or as much of it as fits on a `screen`, both in points. No system tells all that its desktop
+/// takes: this leaves room for a title bar and a panel at the top or at the bottom.
+fn fitting(size: [f32; 2], screen: [f32; 2]) -> [f32; 2] {
+    const ROOM: [f32; 2] = [16.0, 96.0];
+    std::array::from_fn(|axis| size[axis].min(screen[axis] - ROOM[axis]).max(LEAST_SIDE))
 }
 
 /// The state that the flags ask for, and the rest as the last window left it.
@@ -183,6 +208,14 @@ mod tests {
     use crate::app::state::lesson::LessonCommand;
     use crate::app::state::overlay::Overlay;
     use crate::lesson::{Library, Record};
+
+    #[test]
+    fn a_first_window_leaves_room_for_its_frame_and_for_panels() {
+        let usual = [1280.0, 800.0];
+        assert_eq!(fitting(usual, [1920.0, 1080.0]), usual);
+        assert_eq!(fitting(usual, [1366.0, 768.0]), [1280.0, 672.0]);
+        assert_eq!(fitting(usual, [800.0, 360.0]), [784.0, LEAST_SIDE]);
+    }
 
     /// A window over what is kept in a folder, and what it did there.
     fn started(keeper: &Keeper, welcomes: bool) -> State {

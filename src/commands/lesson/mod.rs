@@ -6,6 +6,7 @@ use std::io::Write as _;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
+use gamow_platform::progress;
 
 use crate::files::whole::{ensure_ending, write_whole};
 use crate::lesson::Library;
@@ -58,8 +59,12 @@ pub fn run(args: &LessonArgs) -> anyhow::Result<()> {
     }
     let lesson = Library::new(args.lessons.as_deref())?.open(&args.name)?.worked_out()?;
     // All are made before one is written.
-    let pages = sheets.iter().map(|(_, path, sheet)| Ok((path, worksheet::page(&lesson, *sheet)?)));
-    for (path, page) in pages.collect::<anyhow::Result<Vec<_>>>()? {
+    let progress = progress::bar((sheets.len() * lesson.steps.len()) as u64, "steps");
+    let page = |sheet| worksheet::page(&lesson, sheet, || progress.inc(1));
+    let pages = sheets.iter().map(|(_, path, sheet)| Ok((path, page(*sheet)?)));
+    let pages = pages.collect::<anyhow::Result<Vec<_>>>()?;
+    progress.finish_and_clear();
+    for (path, page) in pages {
         write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))?;
     }
     Ok(())

@@ -21,7 +21,7 @@ use super::plan::{
 };
 use super::values;
 use crate::files::syntax;
-use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::flags::{MAX_TIME, SpeedParameter, SpeedSetting};
 use crate::quantity::Quantity;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -306,8 +306,9 @@ fn animation(block: &FencedBlock) -> Result<Animation, Wrong> {
         ));
     }
     if let Some(time) = time {
-        if !time.is_finite() {
-            return Err((block.line_of("time"), format!("time = {time}: must be a finite number")));
+        if time.is_nan() || time.abs() > MAX_TIME {
+            let problem = format!("time = {time:e}: must be between {:e} and {MAX_TIME:e}", -MAX_TIME);
+            return Err((block.line_of("time"), problem));
         }
         ends.push(Animated::Time(time));
     }

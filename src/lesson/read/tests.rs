@@ -138,6 +138,7 @@ fn what_is_wrong_is_named_with_its_line() {
         ("- [x] longer,", "- [ ] longer,", "rods.md:21: a list of choices has at least two"),
         ("seconds = 2", "second = 2", "rods.md:34: unknown field `second`"),
         ("time = 5\n", "time = 5\nbeta = 0.5\n", "rods.md:33: a block ```play sets one of"),
+        ("time = 5\n", "time = -1e308\n", "rods.md:33: time = -1e308: must be between -1e12 and 1e12"),
         ("\"contraction\"", "\"contractions\"", "rods.md:53: no value is called `contractions`"),
         ("A rod comes.", "```play\ntime = 1\n```", "rods.md:19: a block ```play cannot stand here"),
         ("### Observe", "### Observed", "rods.md:37: unknown part"),

@@ -6,8 +6,8 @@ use crate::files::html::{HtmlPage, escaped};
 use crate::lesson::plan::{Choices, Lesson, Prediction, Step};
 use crate::settings::Settings;
 
-/// Adds the answer sheet to `page`.
-pub fn write(page: &mut HtmlPage, lesson: &Lesson) -> anyhow::Result<()> {
+/// Adds the answer sheet to `page`, and calls `on_step` after each step.
+pub fn write(page: &mut HtmlPage, lesson: &Lesson, mut on_step: impl FnMut()) -> anyhow::Result<()> {
     head(page, lesson, "Answers: ");
     if !lesson.is_a_preset() {
         page.text(&lesson.introduction.markdown)?;
@@ -23,6 +23,7 @@ pub fn write(page: &mut HtmlPage, lesson: &Lesson) -> anyhow::Result<()> {
         step(page, told, &settings)?;
         page.html("</div>\n");
         page.text(&told.explanation.markdown)?;
+        on_step();
     }
     if !lesson.sentence.is_empty() {
         page.html("<h2>In a sentence</h2>\n");

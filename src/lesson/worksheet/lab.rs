@@ -9,6 +9,7 @@ use crate::caption::decimal;
 use crate::estimate::samples::{SamplesWithTruth, samples_of};
 use crate::estimate::{Estimate, estimate};
 use crate::files::html::{HtmlPage, answer_lines, data_uri, escaped};
+use crate::lesson::error::LessonError;
 use crate::lesson::picture;
 use crate::lesson::plan::{Lab, Lesson};
 use crate::settings::Settings;
@@ -27,9 +28,10 @@ pub fn write(page: &mut HtmlPage, lesson: &Lesson, lab: &Lab) -> anyhow::Result<
     head(page, lesson, "Lab: ");
     page.text(&lab.text.markdown)?;
     if has_readings(&settings) {
-        let taken = taken(&settings)?;
+        let wrong = |problem: anyhow::Error| wrong(lesson, lab, &problem);
+        let taken = taken(&settings).map_err(wrong)?;
         page.html(&data(lesson, &taken.csv()));
-        page.html(&results(lesson, &settings, &taken, false)?);
+        page.html(&results(lesson, &settings, &taken, false).map_err(wrong)?);
     } else if lab.state.is_some() {
         page.html(&format!("<figure>\n{}</figure>\n", picture::figure(&settings, "Lab")?));
     }
@@ -43,9 +45,15 @@ pub fn answers(page: &mut HtmlPage, lesson: &Lesson, lab: &Lab) -> anyhow::Resul
     page.html("<h2>Lab</h2>\n");
     page.text(&lab.text.markdown)?;
     if has_readings(&settings) {
-        page.html(&results(lesson, &settings, &taken(&settings)?, true)?);
+        let results = taken(&settings).and_then(|taken| results(lesson, &settings, &taken, true));
+        page.html(&results.map_err(|problem| wrong(lesson, lab, &problem))?);
     }
     Ok(())
+}
+
+/// The `problem` of the readings of `lab`, in the line of the file in which its state begins.
+fn wrong(lesson: &Lesson, lab: &Lab, problem: &anyhow::Error) -> LessonError {
+    lesson.wrong(lab.state.as_ref().map_or(1, |state| state.line), format!("the lab: {problem:#}"))
 }
 
 /// Returns whether the lab's state sets how readings are taken.

@@ -24,16 +24,16 @@ pub enum SheetKind {
     Teacher,
 }
 
-/// The page of this kind of `lesson`, which is worked out.
+/// The page of this kind of `lesson`, which is worked out. `on_step` is called after each step of it.
 ///
 /// # Errors
 /// A lab where there is none, those of the renderer, and of what is fitted in the lab.
-pub fn page(lesson: &Lesson, sheet: SheetKind) -> anyhow::Result<String> {
+pub fn page(lesson: &Lesson, sheet: SheetKind, on_step: impl FnMut()) -> anyhow::Result<String> {
     let mut page = HtmlPage::new(&lesson.title, PageStyle::Print);
     page.html("<div class=\"sheet\">\n");
     match sheet {
-        SheetKind::Questions => pupil::write(&mut page, lesson)?,
-        SheetKind::Answers => answers::write(&mut page, lesson)?,
+        SheetKind::Questions => pupil::write(&mut page, lesson, on_step)?,
+        SheetKind::Answers => answers::write(&mut page, lesson, on_step)?,
         SheetKind::Teacher => teacher::write(&mut page, lesson)?,
         SheetKind::Lab => {
             let Some(done) = &lesson.lab else {

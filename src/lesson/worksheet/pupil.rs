@@ -10,8 +10,8 @@ use crate::settings::Settings;
 /// Lines for an explanation, and for a sentence to take away.
 const LINES: [usize; 2] = [2, 2];
 
-/// Adds the pupil's sheet to `page`.
-pub fn write(page: &mut HtmlPage, lesson: &Lesson) -> anyhow::Result<()> {
+/// Adds the pupil's sheet to `page`, and calls `on_step` after each step.
+pub fn write(page: &mut HtmlPage, lesson: &Lesson, mut on_step: impl FnMut()) -> anyhow::Result<()> {
     name_and_date(page);
     head(page, lesson, "");
     if !lesson.is_a_preset() {
@@ -19,6 +19,7 @@ pub fn write(page: &mut HtmlPage, lesson: &Lesson) -> anyhow::Result<()> {
     }
     for number in 0..lesson.steps.len() {
         step(page, lesson, number)?;
+        on_step();
     }
     if !lesson.sentence.is_empty() {
         page.html("<div class=\"question\">\n<h2>In a sentence</h2>\n");

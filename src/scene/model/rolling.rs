@@ -49,39 +49,54 @@ fn reach(triangles: &Triangles, hub: DVec3) -> f64 {
 
 /// Returns the smallest circle around `places`, if there are any; else one of no size.
 ///
-/// Reference: E. Welzl, *Smallest enclosing disks (balls and ellipsoids)* (1991), in the incremental form: in
-/// the order of chance the expected time grows as the number of places.
-fn smallest_circle(mut places: Vec<DVec2>) -> Circle {
-    shuffle(&mut places);
-    let mut circle = Circle::around(&places[..places.len().min(1)]);
-    for i in 1..places.len() {
-        if circle.holds(places[i]) {
-            continue;
+/// The farthest corner of the convex hull that the circle does not hold joins those that it goes through, and
+/// the smallest circle around these few is the next one, until none is outside.
+///
+/// Reference: B. Gärtner, *Fast and robust smallest enclosing balls* (1999): the farthest place is the pivot,
+/// and the circle becomes larger with each.
+fn smallest_circle(places: Vec<DVec2>) -> Circle {
+    let hull = convex_hull(places);
+    let mut on: Vec<DVec2> = hull.iter().take(1).copied().collect();
+    let mut circle = Circle::around(&on);
+    loop {
+        let distance = |place: &&DVec2| circle.middle.distance_squared(**place);
+        let farthest = hull.iter().max_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let Some(&farthest) = farthest.filter(|place| !circle.holds(**place)) else { return circle };
+        on.push(farthest);
+        let Some((larger, kept)) = Circle::smallest_around(&on) else { return circle };
+        // Where rounding lets it grow no more it is the smallest.
+        if larger.radius <= circle.radius {
+            return circle;
         }
-        circle = Circle::around(&[places[i]]);
-        for j in 0..i {
-            if circle.holds(places[j]) {
-                continue;
-            }
-            circle = Circle::around(&[places[i], places[j]]);
-            for k in 0..j {
-                if !circle.holds(places[k]) {
-                    circle = Circle::around(&[places[i], places[j], places[k]]);
-                }
-            }
-        }
+        (circle, on) = (larger, kept);
     }
-    circle
 }
 
-/// Puts `places` into an order of chance, the same each time.
-fn shuffle(places: &mut [DVec2]) {
-    let mut state = 1_u64;
-    for i in (1..places.len()).rev() {
-        // The generator of Knuth's MMIX.
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        places.swap(i, (state >> 33) as usize % (i + 1));
+/// Returns the corners of the convex hull of `places`, by the monotone chain.
+///
+/// Reference: A. M. Andrew, *Another efficient algorithm for convex hulls in two dimensions* (1979).
+fn convex_hull(mut places: Vec<DVec2>) -> Vec<DVec2> {
+    places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    places.dedup();
+    let chain = |places: &mut dyn Iterator<Item = &DVec2>| {
+        let mut chain: Vec<DVec2> = Vec::new();
+        for &place in places {
+            while let [.., a, b] = chain[..]
+                && (b - a).perp_dot(place - a) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(place);
+        }
+        chain.pop();
+        chain
+    };
+    if places.len() < 3 {
+        return places;
     }
+    let [mut hull, above] = [chain(&mut places.iter()), chain(&mut places.iter().rev())];
+    hull.extend(above);
+    hull
 }
 
 impl Circle {
@@ -106,6 +121,18 @@ impl Circle {
                     .fold(pairs[0], |most, pair| if pair.radius > most.radius { pair } else { most })
             }
         }
+    }
+
+    /// Returns the smallest circle around at most four `places`, and those of them that it goes through.
+    fn smallest_around(places: &[DVec2]) -> Option<(Self, Vec<DVec2>)> {
+        let subsets = (1_u32..1 << places.len()).filter(|subset| subset.count_ones() <= 3);
+        let through = subsets.map(|subset| {
+            let on = (0..places.len()).filter(|place| subset & 1 << place != 0);
+            let on: Vec<_> = on.map(|place| places[place]).collect();
+            (Self::around(&on), on)
+        });
+        let around_all = through.filter(|(circle, _)| places.iter().all(|place| circle.holds(*place)));
+        around_all.min_by(|(a, _), (b, _)| a.radius.total_cmp(&b.radius))
     }
 
     fn holds(&self, place: DVec2) -> bool {
@@ -135,5 +162,49 @@ mod tests {
         }
         let on_line = smallest_circle((0..9).map(|i| DVec2::splat(f64::from(i))).collect());
         assert!(on_line.middle.distance(DVec2::splat(4.0)) < 1e-8);
+    }
+    /// The smallest of all circles on two or three of the places that hold all.
+    fn by_trial(places: &[DVec2]) -> f64 {
+        let mut radius = f64::INFINITY;
+        for (i, &a) in places.iter().enumerate() {
+            for (j, &b) in places[..i].iter().enumerate() {
+                for on in places[..=j].iter().map(|&c| if c == b { vec![a, b] } else { vec![a, b, c] }) {
+                    let circle = Circle::around(&on);
+                    if circle.radius < radius && places.iter().all(|place| circle.holds(*place)) {
+                        radius = circle.radius;
+                    }
+                }
+            }
+        }
+        radius
+    }
+
+    #[test]
+    fn no_smaller_circle_is_around_them() {
+        // The generator of Knuth's MMIX.
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as f64 / f64::from(1 << 31)
+        };
+        for count in [2, 3, 4, 5, 9, 14] {
+            for _ in 0..30 {
+                let places: Vec<_> = (0..count).map(|_| DVec2::new(random(), 0.3 * random())).collect();
+                let circle = smallest_circle(places.clone());
+                assert!(places.iter().all(|place| circle.holds(*place)), "{circle:?} {places:?}");
+                assert!(circle.radius <= by_trial(&places) * (1.0 + ROOM), "{circle:?} {places:?}");
+            }
+        }
+    }
+
+    /// Whatever the order of the corners: each of these lies outside of the circle around those before it.
+    #[test]
+    fn many_corners_take_no_long_time() {
+        let places = (0..200_000).map(|i| {
+            let (sine, cosine) = (2.4 * f64::from(i)).sin_cos();
+            (1.0 + 1e-5 * f64::from(i)) * DVec2::new(cosine, sine)
+        });
+        let circle = smallest_circle(places.collect());
+        assert!((circle.radius - 3.0).abs() < 1e-3, "{circle:?}");
     }
 }

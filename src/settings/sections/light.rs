@@ -13,7 +13,7 @@ use crate::flags::{Exposure, IntensityExponent, OnOff, switch, temperature};
 #[command(next_help_heading = "Light")]
 pub struct LightSettings {
     /// Light that the bodies send, and how it becomes a colour.
-    #[arg(long, value_enum)]
+    #[arg(long, alias = "color", value_enum)]
     pub colour: Colour,
     /// Temperature of bodies that glow, in kelvin, or in degrees Celsius like 1000C.
     #[arg(long, value_name = "K", value_parser = temperature)]
@@ -55,7 +55,7 @@ pub struct LightSettings {
     pub sky: OnOff,
     /// Colours of road, ground, house fronts and sky as a rider sees them: their paints count as grey. Eyes
     /// at rest see them as painted.
-    #[arg(long, value_enum)]
+    #[arg(long, alias = "street-colors", value_enum)]
     pub street_colours: StreetColours,
     /// Whether sky and ground are light.
     #[arg(long, value_enum)]

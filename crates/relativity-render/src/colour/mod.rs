@@ -15,7 +15,9 @@
 pub(crate) mod ipt;
 pub mod paint;
 pub mod planck;
+pub mod spectra;
 pub mod spectrum;
+pub mod sunlit;
 
 use std::array::from_fn;
 use std::sync::LazyLock;
@@ -32,6 +34,8 @@ const VIOLET_END_NM: [f64; 2] = [VISIBLE_NM[0], 420.0];
 const RED_END_NM: [f64; 2] = [710.0, VISIBLE_NM[1]];
 /// Between these a smaller and smaller share of a glow is shown as infrared, K.
 const UNSEEN_GLOW_KELVIN: [f64; 2] = [1000.0, 3500.0];
+/// Doppler factors between which a smaller and smaller share of daylight is shown as infrared.
+const UNSEEN_DAYLIGHT: [f64; 2] = [0.4, 0.6];
 /// False colours for D far below 1, at 1 and far above, linear sRGB.
 const FALSE_COLOURS: [[f64; 3]; 3] = [[0.60, 0.03, 0.01], [0.72, 0.72, 0.68], [0.02, 0.10, 0.80]];
 
@@ -90,6 +94,13 @@ pub fn unseen_line(wavelength_nm: f64) -> f64 {
 #[must_use]
 pub fn unseen_glow(log2_kelvin: f64) -> f64 {
     1.0 - smoothstep(UNSEEN_GLOW_KELVIN.map(log2), log2_kelvin)
+}
+
+/// Returns the share of daylight received 2^`octaves` times as fast that eyes do not see, with the sign of
+/// `light/hatch.rs`: 1 (infrared) up to D = 0.4, 0 from 0.6. Sunlight ends at 300 nm.
+#[must_use]
+pub fn unseen_daylight(octaves: f64) -> f64 {
+    1.0 - smoothstep(UNSEEN_DAYLIGHT.map(log2), octaves)
 }
 
 /// The false colour of light shifted by `octaves` (log2 D), linear sRGB: grey at D = 1, bluer above, redder

@@ -1,5 +1,4 @@
-//! The colour and the luminance of broad spectra: of what glows, by Planck's law, and of a band of
-//! wavelengths.
+//! The colour and the luminance of what glows, by Planck's law.
 //!
 //! Sums over the visible part of the CIE table, in steps of 1 nm, made once in f64 and looked up over a
 //! logarithm. References: M. Planck, *Ann. Phys.* 309, 553 (1901); CIE 015:2018.
@@ -12,20 +11,14 @@ use super::ipt;
 use super::spectrum::VISIBLE_NM;
 use super::{colour_matching, luminance, mix};
 
-/// Temperature of daylight (CIE D65), K.
-pub const DAYLIGHT_KELVIN: f64 = 6504.0;
 /// hc/k, nm K: the second radiation constant (CODATA 2018, exact).
-pub(crate) const SECOND_RADIATION_NM_K: f64 = 1.438_776_877e7;
+const SECOND_RADIATION_NM_K: f64 = 1.438_776_877e7;
 /// Wavelengths of the sums, nm: those that eyes see.
 const SUMMED_NM: std::ops::RangeInclusive<u32> = VISIBLE_NM[0] as u32..=VISIBLE_NM[1] as u32;
 /// Entries of a table per octave.
 const PER_OCTAVE: f64 = 64.0;
 /// log2 of the temperatures of the table, K: from 16 K to 17 million.
 const LOG2_KELVIN: [f64; 2] = [4.0, 24.0];
-/// log2 of the middles of bands in the table, nm: beyond, nothing of a band can be seen.
-const LOG2_BAND_NM: [f64; 2] = [6.0, 12.0];
-/// Width of a band: standard deviation of the logarithm of the wavelength, 66 nm about green.
-const BAND_WIDTH: f64 = 0.12;
 
 /// Light of a broad spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,20 +77,6 @@ fn glowing(log2_kelvin: f64) -> Broad {
         // ln(nm^-5/(e^x - 1)), where e^x would overflow as well as where it is near 1.
         let ln_denominator = if x > 30.0 { x } else { ln(exp_m1(x)) };
         -5.0 * ln(nm) - ln_denominator
-    })
-}
-
-/// A band of wavelengths about 2^`log2_nm`, of the power 1 there.
-#[must_use]
-pub fn band(log2_nm: f64) -> Broad {
-    static TABLE: LazyLock<Vec<Broad>> = LazyLock::new(|| table(LOG2_BAND_NM, about));
-    looked_up(&TABLE, LOG2_BAND_NM[0], log2_nm)
-}
-
-fn about(log2_nm: f64) -> Broad {
-    Broad::new(|nm| {
-        let off = (log2(nm) - log2_nm) * std::f64::consts::LN_2 / BAND_WIDTH;
-        -0.5 * off * off
     })
 }
 

@@ -203,13 +203,9 @@ impl PreparedScene {
                 let surface = |hit: &Hit| {
                     let facing = self.facing(appearance, &group_views, hit);
                     let Hit { rest_normal, doppler_factor, .. } = *hit;
-                    let received = Received { rest_normal, doppler_factor, facing, place };
-                    self.painted(
-                        surface_colour(appearance, &self.bodies()[hit.body], received, &hatch),
-                        hit,
-                        || covered(hit),
-                        appearance,
-                    )
+                    let paint = self.paint_at(hit, || covered(hit));
+                    let received = Received { rest_normal, doppler_factor, facing, paint, place };
+                    surface_colour(appearance, &self.bodies()[hit.body], received, &hatch)
                 };
                 let colour = self.colour(&backdrop, line_of_sight, hit, mark, surface);
                 std::array::from_fn(|i| sum[i] + colour[i])

@@ -16,8 +16,8 @@ use crate::light::screen_light::Light;
 use crate::scene::prepared_body::PreparedBody;
 use crate::scene::prepared_scene::PreparedScene;
 use crate::scene::wheel::packed::{TurningStart, Turns};
+use crate::view::Appearance;
 use crate::view::group_view::GroupView;
-use crate::view::{Appearance, Colour};
 
 /// A request for a drawing.
 #[derive(Debug, Clone, Copy)]
@@ -85,13 +85,11 @@ impl Shot<'_> {
         self.views[body.group].shown(body, self.scene.groups()[body.group].extent.middle)
     }
 
-    /// Returns the pattern of `body` for the shaders; of a model the row that it begins with, 1 if it is seen
-    /// from both sides, and 1 if of its paint only the luminance is shown.
+    /// Returns the pattern of `body` for the shaders; of a model the row that it begins with, and 1 if it is
+    /// seen from both sides.
     pub fn pattern(&self, body: &PreparedBody) -> [f32; 3] {
         let Some(triangles) = &body.triangles else { return body.pattern() };
-        let is_grey = self.appearance.is_some_and(|appearance| appearance.colour == Colour::False);
-        let both = [triangles.is_two_sided(), is_grey].map(|holds| f32::from(u8::from(holds)));
-        [self.models.row(triangles) as f32, both[0], both[1]]
+        [self.models.row(triangles) as f32, f32::from(u8::from(triangles.is_two_sided())), 0.0]
     }
 
     /// The light of `body` for the shaders; numbers have none.

@@ -75,6 +75,7 @@ impl Technique {
         constants.extend(shade::constants());
         constants.extend(tone::constants());
         constants.extend(palette::constants());
+        constants.extend(palette::places());
         constants.extend(pattern::constants(is_patterned, key.geometry));
         constants
     }

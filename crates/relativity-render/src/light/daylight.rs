@@ -2,9 +2,9 @@
 //!
 //! It rests on the street and comes equally from all sides there, as under an overcast sky above pale ground:
 //! so what rests is lit as by a lamp of its own. A body that moves at beta receives it from the direction w',
-//! in its own frame, with D = 1/(gamma (1 - beta w'_x)), as a black body of D times 6504 K, crowded and hot
-//! ahead. What a surface with the normal n' reflects of it, as a matt one does, is the mean over its
-//! hemisphere, weighted by the cosine: a sum of black bodies over w'_x, of which the weight follows from the
+//! in its own frame, with D = 1/(gamma (1 - beta w'_x)), as [`sunlit`](crate::colour::sunlit) has it, crowded
+//! and blue ahead. What a surface with the normal n' reflects of it, as a matt one does, is the mean over its
+//! hemisphere, weighted by the cosine: a sum of shifted daylight over w'_x, of which the weight follows from the
 //! angle between n' and the motion alone.
 //!
 //! # An approximation, and its name: daylight in six parts
@@ -17,12 +17,9 @@
 //! A point that turns is lit as what it is, a surface with its own velocity: where a wheel touches the road,
 //! it is lit as the road is.
 
-use std::f64::consts::LN_2;
-
 use glam::DVec3;
-use relativity_core::math::{atan2, exp_m1, exp2, hypot, log2};
+use relativity_core::math::{atan2, exp2, hypot, log2};
 
-use crate::colour::planck::{DAYLIGHT_KELVIN, SECOND_RADIATION_NM_K};
 use crate::kinematics::spin::Spin;
 use crate::view::group_view::GroupView;
 
@@ -121,34 +118,12 @@ fn seen_share(ahead: f64, across: f64, aside: f64) -> f64 {
     along * atan2(root, -along) + root
 }
 
-/// log2 of how many times as much daylight there is at 2^`log2_nm` where it is received with a Doppler factor
-/// of 2^`log2_doppler`.
-pub fn log2_more(log2_nm: f64, log2_doppler: f64) -> f64 {
-    let quanta = quanta(log2_nm);
-    let received = quanta * exp2(-log2_doppler);
-    quanta - received + log2(missing(quanta) / missing(received))
-}
-
-/// hc/(lambda k T) in octaves, of daylight at rest.
-fn quanta(log2_nm: f64) -> f64 {
-    exp2(log2_quantum_nm() - log2_nm)
-}
-
-/// log2 of the wavelength, nm, at which that is one octave.
-pub fn log2_quantum_nm() -> f64 {
-    log2(SECOND_RADIATION_NM_K / (DAYLIGHT_KELVIN * LN_2))
-}
-
-/// Returns 1 - 2^-`octaves`, to the last digit for few octaves too.
-fn missing(octaves: f64) -> f64 {
-    -exp_m1(-octaves * LN_2)
-}
-
 #[cfg(test)]
 mod tests {
     use std::f64::consts::{PI, TAU};
 
     use super::*;
+    use crate::colour::sunlit;
 
     const BETAS: [f64; 5] = [0.1, 0.5, 0.9, 0.99, 0.999];
     const AHEAD: [f64; 9] = [-1.0, -0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9, 1.0];
@@ -171,17 +146,13 @@ mod tests {
                 if ahead * from - across * (1.0 - from * from).max(0.0).sqrt() >= 0.0 {
                     continue;
                 }
-                for nm in [450.0, 555.0, 620.0] {
-                    let light = |doppler: f64| {
-                        1.0 / (SECOND_RADIATION_NM_K / (nm * DAYLIGHT_KELVIN * doppler)).exp_m1()
-                    };
-                    let truth: f64 = sky.iter().map(|(share, doppler)| share * light(doppler * eye)).sum();
-                    if truth > 0.01 * light(1.0) {
-                        let parts = facing(beta, ahead).parts();
-                        let found: f64 =
-                            parts.iter().map(|part| part.share * light(part.log2_doppler.exp2() * eye)).sum();
-                        worst = worst.max((found / truth).log2().abs());
-                    }
+                let light = |doppler: f64| sunlit::log2_level(doppler.log2()).exp2();
+                let truth: f64 = sky.iter().map(|(share, doppler)| share * light(doppler * eye)).sum();
+                if truth > 0.01 {
+                    let parts = facing(beta, ahead).parts();
+                    let found: f64 =
+                        parts.iter().map(|part| part.share * light(part.log2_doppler.exp2() * eye)).sum();
+                    worst = worst.max((found / truth).log2().abs());
                 }
             }
         }

@@ -4,7 +4,7 @@
 use relativity_core::math::{exp2, log2};
 
 use super::screen_light::log2_glow;
-use crate::colour::planck::DAYLIGHT_KELVIN;
+use crate::colour::sunlit;
 use crate::kinematics::velocity::Velocity;
 use crate::scene::body::Emission;
 use crate::view::{Appearance, Colour, Geometry};
@@ -57,9 +57,11 @@ pub fn automatic_ev(
     }
     match (appearance.colour, lines) {
         (Colour::OneWavelength, Some([near, bright])) => -0.5 * (near + bright),
-        (Colour::Glowing, _) => for_abreast(appearance.temperature_k, slowest_clock, appearance),
+        (Colour::Glowing, _) => {
+            for_abreast(|clock| log2_glow(appearance.temperature_k, clock), slowest_clock, appearance)
+        }
         (Colour::OneWavelength | Colour::White | Colour::StreetDaylight, _) => {
-            for_abreast(DAYLIGHT_KELVIN, slowest_clock, appearance)
+            for_abreast(|clock| sunlit::log2_level(log2(clock)), slowest_clock, appearance)
         }
         (Colour::False, _) => 0.0,
     }
@@ -83,12 +85,13 @@ fn seen_line(velocity: Velocity, emission: Emission, appearance: &Appearance) ->
     (low <= high).then_some([near, (exponent * low).max(exponent * high)])
 }
 
-/// For what glows at `kelvin`, its light coming from clocks that go `slowest_clock` times as fast.
-fn for_abreast(kelvin: f64, slowest_clock: f64, appearance: &Appearance) -> f64 {
+/// For light whose brightness has the logarithm `log2_level` at a Doppler factor, coming from clocks that go
+/// `slowest_clock` times as fast.
+fn for_abreast(log2_level: impl Fn(f64) -> f64, slowest_clock: f64, appearance: &Appearance) -> f64 {
     if !appearance.doppler_shift {
         return 0.0;
     }
     // Far below what can be made visible the logarithm has no use.
-    let level = log2_glow(kelvin, slowest_clock.max(exp2(-10.0)));
+    let level = log2_level(slowest_clock.max(exp2(-10.0)));
     (log2(ABREAST) - level).clamp(0.0, MOST_EV)
 }

@@ -1,19 +1,59 @@
 //! The tables that the shaders read: colours over a logarithm, made in f64.
 
-use relativity_core::math::{exp2, log2};
+use relativity_core::math::exp2;
 
-use super::daylight::{LEAST_BETA, MOST_RAPID, log2_quantum_nm};
-use super::street_light::{coloured_false, daylit};
-use crate::colour::planck::{Broad, DAYLIGHT_KELVIN, band, black_body};
-use crate::colour::{false_colour, linear_srgb, unseen_glow, unseen_line};
+use super::daylight::{LEAST_BETA, MOST_RAPID};
+use super::street_light::coloured_false;
+use crate::colour::planck::{Broad, black_body};
+use crate::colour::sunlit::{self, FIRST_OCTAVE, PER_OCTAVE};
+use crate::colour::{false_colour, linear_srgb, unseen_daylight, unseen_glow, unseen_line};
 use crate::view::effects::Constant;
 
 /// Entries of a table.
-pub const ENTRIES: u32 = 2048;
-/// Tables: the light of one wavelength over log2 of that, nm, and its unseen share; of black bodies over log2
-/// of the temperature, K, and their unseen share; of bands over log2 of their middle, nm; the false colours
-/// over log2 D; and what becomes of the street's grey over log2 D, in daylight and in false colours.
-pub const ROWS: u32 = 8;
+pub const ENTRIES: u32 = sunlit::ENTRIES as u32;
+/// Tables: the rows of [`Row`] with those of unseen shares; at the end those of [`sunlit::rows`].
+pub const ROWS: u32 = (FIRST_SUNLIT + 2 * sunlit::PAINTS + 3) as u32;
+/// The first row of colours in daylight: [`sunlit::rows`] in their order.
+pub const FIRST_SUNLIT: usize = 7;
+
+/// A row of colours, whose last component is log2 of what they are multiplied by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Row {
+    /// Light of one wavelength over log2 of that, nm.
+    Line,
+    /// Black bodies over log2 of the temperature, K.
+    Glow,
+    /// False colours over log2 of the Doppler factor.
+    Map,
+    /// The street's grey in false colours, over the same.
+    FalseGrey,
+    /// Paint in daylight, over the same: the number among [`sunlit::rows`].
+    Sunlit(usize),
+}
+
+impl Row {
+    /// Returns the number of the row. Unseen shares of light of one wavelength, of black bodies and of
+    /// daylight are the first components of the rows 2, 3 and 6.
+    pub const fn number(self) -> usize {
+        match self {
+            Self::Line => 0,
+            Self::Glow => 1,
+            Self::Map => 4,
+            Self::FalseGrey => 5,
+            Self::Sunlit(number) => FIRST_SUNLIT + number,
+        }
+    }
+
+    /// Returns the range of the row.
+    pub const fn range(self) -> TableRange {
+        match self {
+            Self::Line => LINE,
+            Self::Glow => GLOW,
+            Self::Map | Self::FalseGrey => MAP,
+            Self::Sunlit(_) => SUNLIT,
+        }
+    }
+}
 
 /// The range of a table: outside, its ends hold.
 #[derive(Debug, Clone, Copy)]
@@ -23,13 +63,14 @@ pub struct TableRange {
 }
 
 /// Octaves for light of one wavelength: 338 nm to 861 nm.
-pub const LINE: TableRange = TableRange { first: 8.4, last: 9.75 };
+const LINE: TableRange = TableRange { first: 8.4, last: 9.75 };
 /// Octaves for black bodies: 32 K to 17 million K.
-pub const GLOW: TableRange = TableRange { first: 5.0, last: 24.0 };
-/// Octaves for bands: 97 nm to 3100 nm.
-pub const BAND: TableRange = TableRange { first: 6.6, last: 11.6 };
-/// Octaves of the Doppler factor, for false colours and for the street: D from 1/256 to 256.
-pub const MAP: TableRange = TableRange { first: -8.0, last: 8.0 };
+const GLOW: TableRange = TableRange { first: 5.0, last: 24.0 };
+/// Octaves of the Doppler factor, for false colours: D from 1/256 to 256.
+const MAP: TableRange = TableRange { first: -8.0, last: 8.0 };
+/// Octaves of the Doppler factor, for daylight: D from 0.35 to 90.
+const SUNLIT: TableRange =
+    TableRange { first: FIRST_OCTAVE, last: FIRST_OCTAVE + (ENTRIES - 1) as f64 / PER_OCTAVE };
 
 impl TableRange {
     /// Returns the number of entries per octave.
@@ -50,38 +91,38 @@ impl TableRange {
 }
 
 /// Returns the constants of the shader.
-pub fn constants() -> [Constant; 8] {
+pub fn constants() -> [Constant; 5] {
     [
+        ("LINE_PER_OCTAVE", LINE.per_octave()),
         ("GLOW_PER_OCTAVE", GLOW.per_octave()),
-        ("BAND_PER_OCTAVE", BAND.per_octave()),
-        ("DAYLIGHT_PLACE", GLOW.place(log2(DAYLIGHT_KELVIN))),
-        ("DAYLIGHT_QUANTA", daylight_quanta()),
         ("LEAST_BETA", LEAST_BETA),
         ("MOST_RAPID", MOST_RAPID),
-        ("MAP_MIDDLE", MAP.place(0.0)),
-        ("MAP_PER_OCTAVE", MAP.per_octave()),
+        ("PAINTS", sunlit::PAINTS as f64),
     ]
 }
 
-/// log2 of the quanta of [`crate::light::daylight`] at the beginning of the table of bands.
-pub fn daylight_quanta() -> f64 {
-    log2_quantum_nm() - BAND.first
+/// Returns the constants of the shaders that show light of any body, and of the street.
+pub fn places() -> [Constant; 4] {
+    [
+        ("MAP_MIDDLE", MAP.place(0.0)),
+        ("MAP_PER_OCTAVE", MAP.per_octave()),
+        ("SUNLIT_AT_REST", SUNLIT.place(0.0)),
+        ("SUNLIT_PER_OCTAVE", SUNLIT.per_octave()),
+    ]
 }
 
-/// The tables, RGBA, a row each. The last component is log2 of what the colour is multiplied by. Unseen
-/// shares are the first component of theirs.
+/// The tables, RGBA, a row each.
 pub fn tables() -> Vec<[f32; 4]> {
     let plain = |[red, green, blue]: [f64; 3]| [red, green, blue, 0.0];
     let share = |share: f64| [share, 0.0, 0.0, 0.0];
     let broad = |Broad { hue: [red, green, blue], log2_level }| [red, green, blue, log2_level];
     let line = LINE.table(|log2_nm| plain(linear_srgb(exp2(log2_nm))));
-    let unseen_line = LINE.table(|log2_nm| share(unseen_line(exp2(log2_nm))));
     let glow = GLOW.table(|log2_kelvin| broad(black_body(log2_kelvin)));
+    let unseen_line = LINE.table(|log2_nm| share(unseen_line(exp2(log2_nm))));
     let unseen_glow = GLOW.table(|log2_kelvin| share(unseen_glow(log2_kelvin)));
-    let band = BAND.table(|log2_nm| broad(band(log2_nm)));
     let map = MAP.table(|octaves| plain(false_colour(octaves)));
-    let daylit = MAP.table(daylit);
     let falsely = MAP.table(coloured_false);
-    let lights = line.chain(unseen_line).chain(glow).chain(unseen_glow).chain(band);
-    lights.chain(map).chain(daylit).chain(falsely).collect()
+    let unseen_daylight = SUNLIT.table(|octaves| share(unseen_daylight(octaves)));
+    let lights = line.chain(glow).chain(unseen_line).chain(unseen_glow).chain(map).chain(falsely);
+    lights.chain(unseen_daylight).chain(sunlit::rows().map(|entry| entry.map(|part| part as f32))).collect()
 }

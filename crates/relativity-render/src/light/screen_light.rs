@@ -6,23 +6,22 @@
 use relativity_core::doppler::intensity_factor;
 use relativity_core::math::{exp2, log2};
 
-use super::daylight::{DaylightPart, log2_more};
-use super::palette;
+use super::daylight::DaylightPart;
+use super::palette::Row;
 use super::tone::toned;
-use crate::colour::planck::{DAYLIGHT_KELVIN, band, black_body};
+use crate::colour::paint::Paint;
+use crate::colour::planck::black_body;
 use crate::colour::spectrum::Band;
-use crate::colour::{false_colour, linear_srgb, luminance, unseen_glow, unseen_line};
+use crate::colour::sunlit::{self, on_screen};
+use crate::colour::{false_colour, linear_srgb, luminance, unseen_daylight, unseen_glow, unseen_line};
 use crate::scene::body::Emission;
 use crate::view::effects::{Effects, Spectrum};
 use crate::view::{Appearance, Colour};
 
-/// Share of daylight that a tinted body reflects at every wavelength; the rest it reflects only near its own.
-const WHITE_SHARE: f64 = 0.25;
-/// Exponent of the radiance per wavelength, by which a band rises where it is received: `I_lambda lambda^5`
-/// is the same for all.
-const BAND_EXPONENT: f64 = 5.0;
-/// log2 of what is dark at any exposure.
-const LOG2_DARK: f64 = -1e4;
+/// log2 of how many times white is brighter than black, dark at any exposure.
+const LOG2_DARKNESS: f64 = 1e4;
+/// The most that light is, before any exposure and after it.
+const MOST_LIGHT: f64 = 1e300;
 
 /// A body's light as a picture takes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,8 +30,8 @@ pub enum Light {
     Line(f64),
     /// A black body, K.
     Glow(f64),
-    /// Daylight, of which a body reflects more about a wavelength, nm; without one, all alike.
-    Daylight(Option<f64>),
+    /// Daylight, reflected by paint.
+    Painted(Paint),
     /// No light: the colour shows the Doppler factor.
     Map,
 }
@@ -46,24 +45,30 @@ pub struct ScreenLight {
     pub unseen: f64,
 }
 
-/// The levels of light of a broad spectrum for one Doppler factor.
-struct Levels {
-    /// log2 of the brightness of its glowing part.
-    glow: f64,
-    /// log2 of the brightness of its band.
-    band: f64,
-}
-
 impl Light {
     /// Returns the light of `emission`, as `appearance` takes it.
     pub fn new(emission: Emission, appearance: &Appearance) -> Self {
         match (appearance.colour, emission) {
             (Colour::False, _) => Self::Map,
             (Colour::Glowing, _) => Self::Glow(appearance.temperature_k),
+            (_, Emission::Glowing(kelvin)) => Self::Glow(kelvin),
+            (_, Emission::Painted(paint)) => Self::Painted(paint),
             (Colour::OneWavelength, Emission::Wavelength(nm)) => Self::Line(nm),
-            (Colour::OneWavelength, Emission::Glowing(kelvin)) => Self::Glow(kelvin),
-            (Colour::OneWavelength, Emission::Painted(_)) => Self::Glow(DAYLIGHT_KELVIN),
-            (Colour::White | Colour::StreetDaylight, emission) => Self::Daylight(emission.wavelength_nm()),
+            (Colour::White | Colour::StreetDaylight, Emission::Wavelength(nm)) => {
+                Self::Painted(Paint::Smooth(linear_srgb(nm)))
+            }
+        }
+    }
+
+    /// Returns the light where a surface has the paint of a model besides, and the factors of linear sRGB by
+    /// which that changes light that is no daylight.
+    fn on_paint(self, paint: Paint) -> (Self, [f64; 3]) {
+        match (self, paint) {
+            (Self::Painted(Paint::Smooth(own)), Paint::Smooth(paint)) => {
+                (Self::Painted(Paint::Smooth(std::array::from_fn(|part| own[part] * paint[part]))), [1.0; 3])
+            }
+            (Self::Painted(Paint::Smooth(_)), Paint::Measured(_)) => (Self::Painted(paint), [1.0; 3]),
+            (light, paint) => (light, sunlit::colour(paint, 0.0)),
         }
     }
 
@@ -74,34 +79,45 @@ impl Light {
         match self {
             Self::Line(nm) => Band::from_wavelength(nm / shift),
             Self::Glow(kelvin) => Band::of_glow(kelvin * shift),
-            Self::Daylight(_) => Band::of_glow(DAYLIGHT_KELVIN * shift),
+            Self::Painted(_) if unseen_daylight(log2(shift)) > 0.5 => Band::Infrared,
             // False colours leave nothing dark.
-            Self::Map => Band::Visible,
+            Self::Painted(_) | Self::Map => Band::Visible,
         }
     }
 
     /// Returns the colour and the unseen share at `doppler_factor`, for a surface that faces the light.
+    #[cfg(test)]
     pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> ScreenLight {
-        self.shown_in_parts(appearance, doppler_factor, &[DaylightPart::OWN])
+        self.shown_in_parts(appearance, doppler_factor, &[DaylightPart::OWN], Paint::WHITE)
     }
 
-    /// Returns colour and unseen share where daylight is received in these `parts`, the hottest first.
+    /// Returns colour and unseen share where daylight is received in these `parts`, the hottest first, on
+    /// this `paint` of a model.
     pub fn shown_in_parts(
         self,
         appearance: &Appearance,
         doppler_factor: f64,
         parts: &[DaylightPart],
+        paint: Paint,
     ) -> ScreenLight {
+        let (light, tint) = self.on_paint(paint);
         if self == Self::Map {
-            return ScreenLight { colour: false_colour(log2(doppler_factor)), unseen: 0.0 };
+            let colour = false_colour(log2(doppler_factor));
+            return ScreenLight { colour: colour.map(|part| part * luminance(tint)), unseen: 0.0 };
         }
         let shift = if appearance.doppler_shift { log2(doppler_factor) } else { 0.0 };
-        // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
-        let exposed = |part: f64| (part * exp2(appearance.exposure_ev)).min(f64::MAX);
-        let received = self.received(shift, self.log2_intensity(appearance, doppler_factor), parts);
-        let colour = toned(received.map(exposed));
-        let unseen = if appearance.invisible { left_dark(colour) * self.unseen(shift, parts) } else { 0.0 };
+        let exposed = light.exposed(appearance, doppler_factor, parts);
+        let colour = toned(std::array::from_fn(|part| exposed[part] * tint[part]));
+        let unseen = if appearance.invisible { left_dark(colour) * light.unseen(shift, parts) } else { 0.0 };
         ScreenLight { colour, unseen }
+    }
+
+    /// Linear sRGB, 0 or more, of this light as it is exposed.
+    fn exposed(self, appearance: &Appearance, doppler_factor: f64, parts: &[DaylightPart]) -> [f64; 3] {
+        let shift = if appearance.doppler_shift { log2(doppler_factor) } else { 0.0 };
+        // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
+        let exposed = |part: f64| (part * exp2(appearance.exposure_ev)).clamp(-MOST_LIGHT, MOST_LIGHT);
+        on_screen(self.received(shift, self.log2_intensity(appearance, doppler_factor), parts).map(exposed))
     }
 
     /// Returns log2 of the part of the received intensity that its colour does not contain: D^n of one
@@ -115,27 +131,22 @@ impl Light {
 
     fn exponent(self, appearance: &Appearance) -> f64 {
         match self {
-            Self::Glow(_) | Self::Daylight(_) if appearance.doppler_shift => 0.0,
+            Self::Glow(_) | Self::Painted(_) if appearance.doppler_shift => 0.0,
             _ => appearance.intensity_exponent.unwrap_or(0.0),
         }
     }
 
     /// Linear sRGB before any exposure, for light shifted by `shift` octaves, where daylight is received in
-    /// these `parts`. At rest its largest component is about 1.
+    /// these `parts`. At rest its largest component is about 1, of white paint.
     fn received(self, shift: f64, log2_intensity: f64, parts: &[DaylightPart]) -> [f64; 3] {
         match self {
             Self::Line(nm) => linear_srgb(exp2(log2(nm) - shift)).map(|part| part * exp2(log2_intensity)),
             Self::Glow(kelvin) => glow(kelvin, shift, log2_intensity - black_body(log2(kelvin)).log2_level),
-            Self::Daylight(tint) => {
-                let of_part = |part: &DaylightPart| {
-                    let light = reflected(tint, shift, log2_intensity, part.log2_doppler);
-                    light.map(|component| component * part.share)
-                };
-                parts
-                    .iter()
-                    .map(of_part)
-                    .fold([0.0; 3], |sum, part| std::array::from_fn(|i| sum[i] + part[i]))
+            Self::Painted(paint) if parts == [DaylightPart::OWN] => {
+                let level = exp2((sunlit::log2_level(shift) + log2_intensity).min(1e3));
+                sunlit::colour(paint, shift).map(|part| part * level)
             }
+            Self::Painted(paint) => in_parts(paint, shift, log2_intensity, parts),
             Self::Map => [0.0; 3],
         }
     }
@@ -145,39 +156,49 @@ impl Light {
         match self {
             Self::Line(nm) => unseen_line(exp2(log2(nm) - shift)),
             Self::Glow(kelvin) => unseen_glow(log2(kelvin) + shift),
-            Self::Daylight(_) => {
-                let hottest = parts.first().map_or(0.0, |part| part.log2_doppler);
-                unseen_glow(log2(DAYLIGHT_KELVIN) + shift + hottest)
-            }
+            Self::Painted(_) => unseen_daylight(shift + parts.first().map_or(0.0, |part| part.log2_doppler)),
             Self::Map => 0.0,
         }
     }
 
-    /// Returns the light as the shaders read it: see `received_colour` there.
+    /// Returns the light as the shaders read it: see `colour_of` there.
+    ///
+    /// Smooth paint that is not grey is the shares of red and green in it, the exponent n of D^n, and log2 of the sum of its
+    /// primaries, exposed. Any other light is one less than the negative of its row in the tables, its place
+    /// there at rest, n, and log2 of its exposure. At rest it is linear sRGB, exposed, and the unseen share.
     pub fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
         let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
+        let in_row = |row: Row, log2: f64, level: f64| {
+            let number = -1.0 - row.number() as f64;
+            [number, row.range().place(log2), exponent, exposure - level]
+        };
         match (effects.spectrum(), self) {
-            (Spectrum::AtRest, _) => {
-                let ScreenLight { colour: [red, green, blue], unseen } = self.shown(appearance, 1.0);
-                [red, green, blue, unseen]
-            }
-            (_, Self::Line(nm)) => {
-                [palette::LINE.place(log2(nm)), -palette::LINE.per_octave(), exponent, exposure]
-            }
-            (_, Self::Glow(kelvin)) => {
-                let level = exposure - black_body(log2(kelvin)).log2_level;
-                [palette::GLOW.place(log2(kelvin)), palette::GLOW.per_octave(), exponent, level]
-            }
-            (_, Self::Daylight(tint)) => {
-                let levels = daylight(tint);
-                let place = palette::BAND.place(log2(tint.unwrap_or(1.0)));
-                let own = if appearance.doppler_shift { BAND_EXPONENT } else { exponent };
-                [place, levels.band + exposure, levels.glow + exposure, own]
-            }
             (_, Self::Map) => [0.0; 4],
+            (Spectrum::AtRest, _) => {
+                let [red, green, blue] = self.exposed(appearance, 1.0, &[DaylightPart::OWN]);
+                let unseen = if appearance.invisible { self.unseen(0.0, &[]) } else { 0.0 };
+                [red.min(MOST_PACKED), green.min(MOST_PACKED), blue.min(MOST_PACKED), unseen]
+            }
+            (_, Self::Line(nm)) => in_row(Row::Line, log2(nm), 0.0),
+            (_, Self::Glow(kelvin)) => in_row(Row::Glow, log2(kelvin), black_body(log2(kelvin)).log2_level),
+            (_, Self::Painted(Paint::Measured(material))) => {
+                in_row(Row::Sunlit(sunlit::row_of(material)), 0.0, 0.0)
+            }
+            (_, Self::Painted(Paint::Smooth(paint))) => {
+                let [red, green, blue] = paint;
+                if red == green && green == blue {
+                    let level = if red > 0.0 { -log2(red) } else { LOG2_DARKNESS };
+                    return in_row(Row::Sunlit(sunlit::WHITE), 0.0, level);
+                }
+                let sum = red + green + blue;
+                [red / sum, green / sum, exponent, exposure + log2(sum)]
+            }
         }
     }
 }
+
+/// The most that packed light is: floats hold its product with paint.
+const MOST_PACKED: f64 = 1e30;
 
 /// A black body of the temperature `kelvin` at rest, times 2^`log2_factor`.
 fn glow(kelvin: f64, shift: f64, log2_factor: f64) -> [f64; 3] {
@@ -185,31 +206,17 @@ fn glow(kelvin: f64, shift: f64, log2_factor: f64) -> [f64; 3] {
     light.hue.map(|part| part * exp2((light.log2_level + log2_factor).min(1e3)))
 }
 
-/// Linear sRGB of what a body with this `tint` reflects of daylight that it receives shifted by
-/// `received_shift` octaves, shifted by `shift` more.
-fn reflected(tint: Option<f64>, shift: f64, log2_intensity: f64, received_shift: f64) -> [f64; 3] {
-    let levels = daylight(tint);
-    let white = glow(DAYLIGHT_KELVIN, shift + received_shift, log2_intensity + levels.glow);
-    let Some(nm) = tint else { return white };
-    let own = band(log2(nm) - shift);
-    let more = if received_shift == 0.0 { 0.0 } else { log2_more(log2(nm), received_shift) };
-    let level = own.log2_level + levels.band + BAND_EXPONENT * shift + log2_intensity + more;
-    std::array::from_fn(|i| white[i] + own.hue[i] * exp2(level.min(1e3)))
-}
-
-/// Returns the scales of the parts of daylight with this `tint` that give a largest component of 1 at rest.
-fn daylight(tint: Option<f64>) -> Levels {
-    let white = -black_body(log2(DAYLIGHT_KELVIN)).log2_level;
-    let Some(nm) = tint else { return Levels { glow: white, band: LOG2_DARK } };
-    let own = band(log2(nm));
-    // In daylight of the largest component 1 a band at green would have one of about 1, too.
-    let visible = own.log2_level.max(band(log2(nm.clamp(420.0, 680.0))).log2_level);
-    let parts: [f64; 3] = std::array::from_fn(|i| {
-        let paper = black_body(log2(DAYLIGHT_KELVIN)).hue[i];
-        WHITE_SHARE * paper + (1.0 - WHITE_SHARE) * own.hue[i] * exp2(own.log2_level - visible)
-    });
-    let scale = -log2(parts.into_iter().fold(0.0, f64::max));
-    Levels { glow: white + log2(WHITE_SHARE) + scale, band: log2(1.0 - WHITE_SHARE) + scale - visible }
+/// Linear sRGB of what `paint` reflects of daylight that it receives in these `parts`, shifted by `shift`
+/// octaves more: see [`sunlit`].
+fn in_parts(paint: Paint, shift: f64, log2_factor: f64, parts: &[DaylightPart]) -> [f64; 3] {
+    let stand_in = sunlit::in_daylight(paint, shift);
+    let (colour, smooth) = (sunlit::colour(paint, shift), sunlit::lit_by_shifted(stand_in, shift));
+    parts.iter().fold([0.0; 3], |sum, part| {
+        let octaves = shift + part.log2_doppler;
+        let seen = sunlit::lit_by_shifted(stand_in, octaves);
+        let level = part.share * exp2((sunlit::log2_level(octaves) + log2_factor).min(1e3));
+        std::array::from_fn(|i| sum[i] + level * (seen[i] + colour[i] - smooth[i]))
+    })
 }
 
 /// Returns the share of the hatch that shows over `colour`: much only where that is all but black.
@@ -218,20 +225,23 @@ fn left_dark(colour: [f64; 3]) -> f64 {
 }
 
 /// Received over rest intensity of this `emission` at `doppler_factor`, before any exposure: D^n of light of
-/// one wavelength, else the luminance beside that at rest.
+/// one wavelength, else the luminance beside that at rest, of black paint that of white.
 #[must_use]
 pub fn received_intensity(emission: Emission, appearance: &Appearance, doppler_factor: f64) -> f64 {
-    let light = Light::new(emission, appearance);
+    let light = match Light::new(emission, appearance) {
+        Light::Painted(Paint::Smooth([0.0, 0.0, 0.0])) => Light::Painted(Paint::WHITE),
+        light => light,
+    };
     let of_exponent = |exponent| intensity_factor(doppler_factor, exponent);
     if matches!(light, Light::Line(_) | Light::Map) || !appearance.doppler_shift {
         return appearance.intensity_exponent.map_or(1.0, of_exponent);
     }
-    let [received, at_rest] =
-        [log2(doppler_factor), 0.0].map(|shift| luminance(light.received(shift, 0.0, &[DaylightPart::OWN])));
+    let [received, at_rest] = [log2(doppler_factor), 0.0]
+        .map(|shift| luminance(on_screen(light.received(shift, 0.0, &[DaylightPart::OWN]))));
     received / at_rest
 }
 
-/// log2 of how bright daylight or a glow is at `doppler_factor`, beside itself at rest.
+/// log2 of how bright a glow is at `doppler_factor`, beside itself at rest.
 pub(crate) fn log2_glow(kelvin: f64, doppler_factor: f64) -> f64 {
     black_body(log2(kelvin * doppler_factor)).log2_level - black_body(log2(kelvin)).log2_level
 }
@@ -239,12 +249,12 @@ pub(crate) fn log2_glow(kelvin: f64, doppler_factor: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::colour::paint::Material;
     use crate::light::tone::shoulder;
 
     #[test]
     fn light_at_rest_is_as_bright_as_a_screen_before_the_shoulder() {
-        let lights =
-            [Light::Line(700.0), Light::Glow(1273.15), Light::Daylight(None), Light::Daylight(Some(600.0))];
+        let lights = [Light::Line(700.0), Light::Glow(1273.15), Light::Painted(Paint::WHITE)];
         for light in lights {
             let largest = light.received(0.0, 0.0, &[DaylightPart::OWN]).into_iter().fold(0.0, f64::max);
             assert!((largest - 1.0).abs() < 1e-9, "{light:?}: {largest}");
@@ -260,8 +270,9 @@ mod tests {
             Light::Line(1e-6),
             Light::Glow(300.0),
             Light::Glow(1e5),
-            Light::Daylight(None),
-            Light::Daylight(Some(1e6)),
+            Light::Painted(Paint::WHITE),
+            Light::Painted(Paint::Smooth([0.7, 0.0, 0.1])),
+            Light::Painted(Paint::Measured(Material::ALL[10])),
             Light::Map,
         ];
         for light in lights {

@@ -2,9 +2,10 @@
 
 use glam::DVec3;
 
-use super::daylight::Facing;
+use super::daylight::{DaylightPart, Facing};
 use super::hatch::Hatch;
 use super::screen_light::{Light, ScreenLight};
+use crate::colour::paint::Paint;
 use crate::scene::prepared_body::PreparedBody;
 use crate::view::effects::Constant;
 use crate::view::{Appearance, Shading};
@@ -36,6 +37,8 @@ pub struct Received {
     pub doppler_factor: f64,
     /// The motion of the surface through the street's daylight, if that lights it.
     pub facing: Option<Facing>,
+    /// Paint of a model there, white of other bodies.
+    pub paint: Paint,
     /// Position in the picture, px.
     pub place: [f64; 2],
 }
@@ -49,7 +52,7 @@ pub struct Received {
 pub fn surface_colour(
     appearance: &Appearance,
     body: &PreparedBody,
-    Received { rest_normal, doppler_factor, facing, place }: Received,
+    Received { rest_normal, doppler_factor, facing, paint, place }: Received,
     hatch: &Hatch,
 ) -> [f64; 3] {
     let shading = match appearance.shading {
@@ -58,8 +61,8 @@ pub fn surface_colour(
     };
     let light = Light::new(body.emission, appearance);
     let ScreenLight { colour, unseen } = match facing {
-        Some(facing) => light.shown_in_parts(appearance, doppler_factor, &facing.parts()),
-        None => light.shown(appearance, doppler_factor),
+        Some(facing) => light.shown_in_parts(appearance, doppler_factor, &facing.parts(), paint),
+        None => light.shown_in_parts(appearance, doppler_factor, &[DaylightPart::OWN], paint),
     };
     let hatched = hatch.colour(unseen, place);
     std::array::from_fn(|i| (colour[i] + hatched[i]) * shading * body.brightness)

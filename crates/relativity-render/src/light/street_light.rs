@@ -1,26 +1,24 @@
 //! Light of the street, the house fronts and the sky, as a camera receives it that moves along the street.
 //!
-//! All of them rest on the ground and reflect daylight. Their paints count as grey: light of the Doppler
-//! factor D is daylight as a black body of D times 6504 K, times the paint's linear sRGB at rest. The
-//! approximation is called *grey paint*. Of what white paint would reflect in a primary it is off by at most
-//! the greatest difference between the paint's own primaries, 0.07 for walls and 0.32 for the sky; a test
-//! below holds it against spectra of daylight reflected by smooth paints.
+//! All of them rest on the ground and reflect daylight as smooth paint: light of the Doppler factor D is that
+//! of [`sunlit`], whose colours are linear in those at rest, so that mixtures of paints in a pixel stay exact.
 //!
-//! The shaders' `received_from_street` and `cpu/packets/street/backdrop.rs` do the same by a row of the
-//! tables of `palette.rs`.
+//! The shaders' `received_from_street` and `cpu/packets/street/backdrop.rs` do the same by rows of the tables
+//! of `palette.rs`.
 
 use relativity_core::math::{exp2, log2};
 
+use super::palette::{FIRST_SUNLIT, Row};
 use super::tone::{toned, untoned};
 use crate::colour::false_colour;
-use crate::colour::planck::{DAYLIGHT_KELVIN, black_body};
+use crate::colour::paint::Paint;
+use crate::colour::sunlit::{self, on_screen};
 use crate::view::{Appearance, Colour, StreetColours};
 
-/// Row of `palette.rs` that has grey in daylight that is shifted, its strongest primary as at rest; its
-/// logarithm is that of the brightness.
-pub(crate) const DAYLIT_ROW: usize = 6;
+/// Row of `palette.rs` that has red paint in daylight, before those of green and of blue paint.
+pub(crate) const DAYLIT_ROW: usize = FIRST_SUNLIT;
 /// Row of grey in false colours.
-pub(crate) const FALSE_ROW: usize = 7;
+pub(crate) const FALSE_ROW: usize = Row::FalseGrey.number();
 
 /// The way from a colour of the street at rest to the colour that is received.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +36,7 @@ pub(crate) struct StreetLight {
 enum Tint {
     /// Nothing but a change of brightness, or nothing at all.
     None,
-    /// Daylight, shifted as a black body's light is.
+    /// Daylight, which smooth paint reflects.
     Daylight,
     /// The false colour of the Doppler factor takes the place of grey.
     False,
@@ -72,16 +70,19 @@ impl StreetLight {
             return colour;
         }
         let octaves = log2(doppler_factor);
-        let [red, green, blue, level] = match self.tint {
-            Tint::None => [1.0, 1.0, 1.0, 0.0],
-            Tint::Daylight => daylit(octaves),
-            Tint::False => coloured_false(octaves),
+        let light = untoned(colour);
+        let (light, level) = match self.tint {
+            Tint::None => (light, 0.0),
+            Tint::Daylight => (sunlit::colour(Paint::Smooth(light), octaves), sunlit::log2_level(octaves)),
+            Tint::False => {
+                let grey = coloured_false(octaves);
+                (std::array::from_fn(|part| light[part] * grey[part]), 0.0)
+            }
         };
         let log2_factor = self.level * level + self.exponent * octaves + self.exposure_ev;
         // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
         let factor = exp2(log2_factor.clamp(-MOST_LOG2, MOST_LOG2));
-        let light = untoned(colour);
-        toned([light[0] * red * factor, light[1] * green * factor, light[2] * blue * factor])
+        toned(on_screen(light.map(|part| part * factor)))
     }
 
     /// Row of the tables from which the shaders take colours; 0 where they stay as painted.
@@ -104,19 +105,6 @@ impl StreetLight {
 /// The most that a factor of brightness is, and one over the least, octaves.
 const MOST_LOG2: f64 = 100.0;
 
-/// Linear sRGB of grey in daylight that is shifted by `octaves`, its strongest primary as at rest; and log2
-/// of its brightness beside that.
-///
-/// The strongest primary is held and not the luminance: deep red of a white's luminance is beyond what a
-/// screen shows, and a street behind a fast rider would lose all its contrast.
-pub(crate) fn daylit(octaves: f64) -> [f64; 4] {
-    let [at_rest, shifted] = [0.0, octaves].map(|octaves| black_body(log2(DAYLIGHT_KELVIN) + octaves));
-    let hue: [f64; 3] = std::array::from_fn(|i| shifted.hue[i] / at_rest.hue[i]);
-    let strongest = hue.into_iter().fold(0.0, f64::max);
-    let [red, green, blue] = hue.map(|part| part / strongest);
-    [red, green, blue, shifted.log2_level - at_rest.log2_level + log2(strongest)]
-}
-
 /// Linear sRGB of grey in the false colour of a Doppler factor of 2^`octaves`; and 0.
 pub(crate) fn coloured_false(octaves: f64) -> [f64; 4] {
     let [grey, shown] = [0.0, octaves].map(false_colour);
@@ -126,9 +114,6 @@ pub(crate) fn coloured_false(octaves: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::colour::ipt::srgb_from_xyz;
-    use crate::colour::planck::SECOND_RADIATION_NM_K;
-    use crate::colour::{colour_matching, luminance};
     use crate::light::screen_light::Light;
     use crate::scene::body::Emission;
 
@@ -190,45 +175,6 @@ mod tests {
                     assert!(shown.into_iter().all(|part| (0.0..=1.0).contains(&part)), "{shown:?}");
                 }
             }
-        }
-    }
-
-    /// Linear sRGB of daylight shifted by `doppler_factor`, which a paint of this linear sRGB reflects
-    /// smoothly: three broad bands that overlap, one for each primary.
-    fn reflected(paint: [f64; 3], doppler_factor: f64) -> [f64; 3] {
-        let bands = [[610.0, 60.0], [545.0, 45.0], [455.0, 40.0]];
-        let share = |nm: f64, band: usize| (-0.5 * ((nm - bands[band][0]) / bands[band][1]).powi(2)).exp();
-        let mut xyz = [0.0; 3];
-        for nm in (380..=780).map(f64::from) {
-            let at_rest_nm = (nm * doppler_factor).clamp(380.0, 780.0);
-            let total: f64 = (0..3).map(|band| share(at_rest_nm, band)).sum();
-            let reflectance: f64 = (0..3).map(|band| paint[band] * share(at_rest_nm, band) / total).sum();
-            let kelvin = DAYLIGHT_KELVIN * doppler_factor;
-            let power = nm.powi(-5) / (SECOND_RADIATION_NM_K / (nm * kelvin)).exp_m1();
-            let matching = colour_matching(nm).expect("inside the table");
-            xyz = std::array::from_fn(|i| xyz[i] + reflectance * power * matching[i]);
-        }
-        srgb_from_xyz(xyz)
-    }
-
-    /// The error of grey paint: how far the share of each primary in what is received is from that of smooth
-    /// paints in daylight. It is at most the greatest difference between a paint's own primaries, since a
-    /// shift only moves these into each other's places; primaries weigh a little light negatively, for which
-    /// a hundredth is left.
-    #[test]
-    fn grey_paint_is_off_smooth_paints_by_no_more_than_their_primaries_differ() {
-        for paint in PAINTS {
-            let [low, high] = [f64::min, f64::max].map(|end| paint.into_iter().reduce(end).expect("three"));
-            let mut worst: f64 = 0.0;
-            for doppler_factor in [0.5, 0.7, 1.0, 1.4, 2.0, 4.36] {
-                let white = reflected([1.0; 3], doppler_factor);
-                let smooth = reflected(paint, doppler_factor);
-                for part in (0..3).filter(|&part| white[part] > 0.01 * luminance(white)) {
-                    worst = worst.max((smooth[part] / white[part] - paint[part]).abs());
-                }
-            }
-            println!("{paint:?}: at most {worst:.3} of what white paint reflects");
-            assert!(worst <= high - low + 0.01, "{paint:?}: {worst}");
         }
     }
 }

@@ -1,24 +1,21 @@
-//! The paint of models on the light of white surfaces.
+//! The paint of models where they are hit.
 
 use super::hit::Hit;
+use crate::colour::paint::Paint;
 use crate::scene::pattern::SampleShifts;
 use crate::scene::prepared_scene::PreparedScene;
-use crate::view::Appearance;
 
 impl PreparedScene {
-    /// Returns the `colour` of white paint as that of the paint at `hit`, on average over what is `covered`
-    /// there: of false colours, which show no paint, only as dark.
-    pub(crate) fn painted(
-        &self,
-        colour: [f64; 3],
-        hit: &Hit,
-        covered: impl Fn() -> SampleShifts,
-        appearance: &Appearance,
-    ) -> [f64; 3] {
-        let Some((triangles, point)) = self.triangles(hit.body).zip(hit.triangle) else { return colour };
+    /// Returns the paint at `hit`, on average over what is `covered` there: white of what is no model.
+    pub(crate) fn paint_at(&self, hit: &Hit, covered: impl Fn() -> SampleShifts) -> Paint {
+        let Some((triangles, point)) = self.triangles(hit.body).zip(hit.triangle) else {
+            return Paint::WHITE;
+        };
+        if let Some(material) = triangles.material(point.triangle) {
+            return Paint::Measured(material);
+        }
         let solid = self.solid(hit.body);
         let range = |gradient| covered().turned_back(hit.turn).range(solid.rest_from_box(gradient));
-        let paint = appearance.paint(triangles.paint_over(point, range));
-        std::array::from_fn(|part| colour[part] * paint[part])
+        Paint::Smooth(triangles.paint_over(point, range))
     }
 }

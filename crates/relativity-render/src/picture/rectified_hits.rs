@@ -48,9 +48,10 @@ impl Rectification {
             let doppler_factor = self.doppler_factor([column + 0.5, row + 0.5]);
             // What is left of the hit's Doppler effect.
             let doppler_factor = hit.doppler_factor / doppler_factor;
-            let received = Received { rest_normal: hit.rest_normal, doppler_factor, facing: None, place };
+            let paint = scene.paint_at(&hit, || SampleShifts::NOTHING);
+            let rest_normal = hit.rest_normal;
+            let received = Received { rest_normal, doppler_factor, facing: None, paint, place };
             let colour = surface_colour(appearance, &scene.bodies()[hit.body], received, &hatch);
-            let colour = scene.painted(colour, &hit, || SampleShifts::NOTHING, appearance);
             let mark = scene.mark(&hit, SampleShifts::NOTHING);
             colour.map(|part| part * mark)
         };

@@ -127,13 +127,13 @@ impl Rectification {
     /// `picture` must have the size of the camera on the ground.
     #[must_use]
     pub fn picture(&self, picture: &Picture, light: LightCorrection) -> Picture {
-        let linear: Vec<[f64; 3]> = picture.rgba.par_iter().map(|&pixel| linear_rgb(pixel)).collect();
+        let linear: [f64; 256] = std::array::from_fn(|byte| srgb_decoded(byte as f64 / 255.0));
         let [width, height] = self.rest.size;
         let pixel = |index: u32| {
             let mut sum = [0.0; 3];
             for place in sample_grid([index % width, index / width], SAMPLES) {
                 let Some(source) = self.ground_place(place) else { continue };
-                let colour = interpolated(&linear, picture.size, source);
+                let colour = interpolated(picture, &linear, source);
                 let corrected = light.corrected(colour, self.doppler_factor(source));
                 sum = std::array::from_fn(|i| sum[i] + corrected[i]);
             }
@@ -185,15 +185,15 @@ fn pure(colour: [f64; 3]) -> Option<[f64; 3]> {
     (most > grey).then(|| ((colour - grey) / (most - grey)).to_array())
 }
 
-fn linear_rgb([r, g, b, _]: [u8; 4]) -> [f64; 3] {
-    [r, g, b].map(|part| srgb_decoded(f64::from(part) / 255.0))
-}
-
-/// The colour at `place`, between the centres of pixels.
-fn interpolated(linear: &[[f64; 3]], [width, height]: [u32; 2], [u, v]: [f64; 2]) -> [f64; 3] {
+/// The linear colour of `picture` at a place between the centres of pixels, by the `linear` value of each byte.
+fn interpolated(picture: &Picture, linear: &[f64; 256], [u, v]: [f64; 2]) -> [f64; 3] {
+    let [width, height] = picture.size;
     let last = |side: u32| f64::from(side - 1);
     let (x, y) = ((u - 0.5).clamp(0.0, last(width)), (v - 0.5).clamp(0.0, last(height)));
-    let at = |x: f64, y: f64| linear[y as usize * width as usize + x as usize];
+    let at = |x: f64, y: f64| {
+        let [r, g, b, _] = picture.rgba[y as usize * width as usize + x as usize];
+        [r, g, b].map(|part| linear[usize::from(part)])
+    };
     let (right, below) = ((x + 1.0).min(last(width)), (y + 1.0).min(last(height)));
     let row = |y: f64| mix(at(x, y), at(right, y), x.fract());
     mix(row(y), row(below), y.fract())

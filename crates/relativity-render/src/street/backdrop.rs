@@ -211,16 +211,12 @@ impl LastPass {
             ("CONTACT_DARKEST", DARKEST),
             ("CONTACT_FARTHEST", FARTHEST),
         ];
-        let of_tables = [
-            ("BRIGHTEST", BRIGHTEST),
-            ("MAP_MIDDLE", palette::MAP.place(0.0)),
-            ("MAP_PER_OCTAVE", palette::MAP.per_octave()),
-        ];
         of_backdrop
             .into_iter()
             .chain(house_fronts::CONSTANTS)
             .chain(tone::constants())
-            .chain(of_tables)
+            .chain([("BRIGHTEST", BRIGHTEST)])
+            .chain(palette::places())
             .collect()
     }
 }

@@ -19,11 +19,9 @@ pub struct Effects {
 pub enum Spectrum {
     /// Not at all: each body has its colour at rest.
     AtRest,
-    /// By one place in one table: light of one wavelength, or of a black body.
-    OnePlace,
-    /// By a place in each of two: daylight, and the band of it that a body reflects most of.
-    Daylight,
-    /// By a place in each of two, for the street's daylight in the parts of [`crate::light::daylight`].
+    /// By a place in the tables: light of one wavelength, of a black body, or of paint in daylight.
+    Received,
+    /// By several places, for the street's daylight in the parts of [`crate::light::daylight`].
     StreetDaylight,
     /// By the Doppler factor alone.
     Map,
@@ -45,10 +43,9 @@ impl Effects {
         let spectrum = match appearance.colour {
             Colour::False if has_doppler_effect => Spectrum::Map,
             _ if !has_doppler_effect || !(doppler_shift || intensity_exponent.is_some()) => Spectrum::AtRest,
-            Colour::White | Colour::StreetDaylight => Spectrum::Daylight,
-            _ => Spectrum::OnePlace,
+            _ => Spectrum::Received,
         };
-        let invisible = appearance.invisible && matches!(spectrum, Spectrum::OnePlace | Spectrum::Daylight);
+        let invisible = appearance.invisible && matches!(spectrum, Spectrum::AtRest | Spectrum::Received);
         Self { spectrum, doppler_shift, invisible, form }
     }
 
@@ -66,10 +63,9 @@ impl Effects {
     pub fn constants(self) -> [Constant; 4] {
         let spectrum = match self.spectrum {
             Spectrum::AtRest => 0.0,
-            Spectrum::OnePlace => 1.0,
-            Spectrum::Daylight => 2.0,
+            Spectrum::Received => 1.0,
+            Spectrum::StreetDaylight => 2.0,
             Spectrum::Map => 3.0,
-            Spectrum::StreetDaylight => 4.0,
         };
         [
             ("SPECTRUM", spectrum),

@@ -11,7 +11,6 @@ use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
 use relativity_core::{Boost, ObserverVelocity, Speed};
 
 use crate::camera::Camera;
-use crate::colour::luminance;
 use crate::kinematics::relative_velocity::RelativeVelocity;
 use crate::kinematics::velocity::Velocity;
 
@@ -220,14 +219,6 @@ impl Appearance {
     #[must_use]
     pub fn is_lit_by_the_street(&self, geometry: Geometry) -> bool {
         self.colour == Colour::StreetDaylight && self.doppler_shift && geometry.has_doppler_effect()
-    }
-}
-
-impl Appearance {
-    /// Returns the factors of white paint's colour for this `paint`: false colours show no paint, only how
-    /// light it is.
-    pub(crate) fn paint(&self, paint: [f64; 3]) -> [f64; 3] {
-        if self.colour == Colour::False { [luminance(paint); 3] } else { paint }
     }
 }
 

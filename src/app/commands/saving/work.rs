@@ -177,7 +177,7 @@ impl SaveJob {
                 let fit = key.and_then(|key| fitted(&key).ok()).map(|(report, _)| report.to_string());
                 written(path, &report::page(&course, &base, fit.as_deref())?)
             }
-            Self::Sheet(lesson, sheet, path) => written(path, &worksheet::page(&lesson, sheet)?),
+            Self::Sheet(lesson, sheet, path) => written(path, &worksheet::page(&lesson, sheet, || {})?),
         }
     }
 }

@@ -69,7 +69,7 @@ fn intensity_row(ui: &mut Ui, light: &mut LightSettings) {
             _ = choice_of(ui, &mut light.intensity_exponent.0, &EXPONENTS[..2], tip);
         }
         Colour::Glowing => _ = ui.weak("Planck's law at D·H: no exponent"),
-        Colour::White | Colour::StreetDaylight => _ = ui.weak("Planck's law at D·6504 K"),
+        Colour::White | Colour::StreetDaylight => _ = ui.weak("sunlight, shifted by D"),
         Colour::False => _ = ui.weak("not shown: the colour is D"),
     });
     if light.colour == Colour::OneWavelength {

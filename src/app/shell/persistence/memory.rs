@@ -119,6 +119,12 @@ impl Memory {
         }
     }
 
+    /// Whether it is known where the last window was.
+    #[must_use]
+    pub const fn has_place(&self) -> bool {
+        self.place.is_some()
+    }
+
     /// Has a window open where the last one was.
     #[must_use]
     pub fn placed(&self, window: ViewportBuilder) -> ViewportBuilder {

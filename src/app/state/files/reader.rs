@@ -151,12 +151,14 @@ impl Errand {
     }
 
     /// The settings that the file leads to. What it does not say of the window's parts and of the layout
-    /// stays as it is; the rest has its defaults.
+    /// stays as it is, whatever the settings of whoever made a picture; the rest has its defaults.
     fn led_to(&self, is_scene: bool) -> Result<Settings, SettingsError> {
         if is_scene {
             return self.settings.clone().with_scene_file(&self.path);
         }
-        Settings::default().in_place_of(&self.settings).with_file(&self.path)
+        let settings = Settings::default().in_place_of(&self.settings).with_file(&self.path)?;
+        let is_picture = FileKind::from_path(&self.path).is_some();
+        Ok(if is_picture { settings.as_seen_by(&self.settings) } else { settings })
     }
 }
 

@@ -19,12 +19,13 @@ pub struct SlidingView {
 }
 
 impl SlidingView {
-    /// Returns `None` where `view` is not conformal, or the head is tilted: motion is no slide along the rows
-    /// then.
+    /// Returns `None` where `view` is not conformal, the head is tilted, or the eyes ride another way than along
+    /// the street: motion is no slide along the rows then.
     #[must_use]
     pub fn new(state: &State, view: &View) -> Option<Self> {
-        let mercator =
-            view.camera.mercator().filter(|_| state.document.settings.baseline().is_along_motion())?;
+        let settings = &state.document.settings;
+        let slides = settings.baseline().is_along_motion() && !settings.ride.leaves_street();
+        let mercator = view.camera.mercator().filter(|_| slides)?;
         let shows_motion = matches!(view.geometry, Geometry::Seen | Geometry::Rest);
         let ahead = mercator.axes.right.x.signum();
         shows_motion.then_some(Self { view: *view, mercator, ahead })

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::body::{PacketBody, PacketGroup, RestRays, own_ray};
 use super::light::colour::Hatched;
-use super::light::received::Element;
+use super::light::received::{Element, PaintThere};
 use super::light::tables::Tables;
 use super::look::{Look, Seen};
 use super::ray::height_on_ground;
@@ -227,12 +227,20 @@ impl<S: Simd> Meetings<S> {
         let turning = TurningBody::new(simd, look.group(look.scene.group_of(number)), &seen);
         let Self { place, normal, doppler, .. } = *self;
         let there = Element { seen: &seen, turning: &turning, place, normal, doppler };
-        let colour = there.colour(simd, look, appearance, tables, hatched);
-        let mut factors = [[0.0; LANES]; 3];
-        for lane in 0..LANES {
-            put(&mut factors, lane, appearance.paint(vector(self.paint, lane).to_array()));
+        let on = |paint| there.colour(simd, look, appearance, tables, Some(paint), hatched);
+        let mut colour = on(PaintThere::Smooth(self.paint));
+        let Some(triangles) = &seen.body.triangles else { return colour };
+        let numbers: [f32; LANES] = self.triangle.into();
+        let materials = numbers.map(|number| triangles.material(number as u32));
+        let mut drawn = None;
+        for material in materials.into_iter().flatten() {
+            if drawn.replace(material) != Some(material) {
+                let of = materials.map(|other| -i32::from(other == Some(material)));
+                let measured = on(PaintThere::Measured(material, self.paint));
+                colour = V3::select(Mask::simd_from(simd, of), measured, colour);
+            }
         }
-        colour.times(vectors(simd, factors))
+        colour
     }
 }
 

@@ -7,11 +7,8 @@
 //!
 //! # Light
 //!
-//! A triangle reflects the daylight of a lamp that rides along, as a white body does, times its paint: three
-//! reflectances, one for each primary of linear sRGB. The same three hold at every Doppler factor. That is
-//! the approximation *grey paint* of the street: of what white paint would reflect in a primary it is off by
-//! at most the greatest difference between the paint's own primaries, which is 0 for grey paint and 1 for a
-//! saturated colour. Paint is what the corners have, times the [`texture`].
+//! A triangle reflects daylight as its paint does: a measured material, or smooth paint, which is what the
+//! corners have, times the [`texture`].
 
 mod crossing;
 mod edges;

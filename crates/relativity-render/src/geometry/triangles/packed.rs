@@ -6,7 +6,7 @@
 //! | texel | node | triangle |
 //! |---|---|---|
 //! | 0 | middle of the first box, its link | first corner, number of the triangle |
-//! | 1 | half of its sides, 0 | second corner, paint |
+//! | 1 | half of its sides, 0 | second corner, paint and one more than the number of its material |
 //! | 2 | middle of the second box, its link | third corner, its places |
 //! | 3 | half of its sides, 0 | paint |
 //!
@@ -83,7 +83,7 @@ impl Triangles {
         let headers = texels.len() + 2 * leaves.len();
         for (record, &triangle) in leaves.iter().enumerate() {
             let number = self.texture_numbers.get(triangle as usize).copied().unwrap_or(RawModel::NO_TEXTURE);
-            if number == RawModel::NO_TEXTURE {
+            if number == RawModel::NO_TEXTURE || self.material(triangle).is_some() {
                 texels.extend([Texel::default(); 2]);
                 continue;
             }
@@ -122,10 +122,11 @@ impl Triangles {
             .map(|weights| self.corner_paint(TrianglePoint { triangle, weights }));
         let paint = |corner: usize, part: usize| (paints[corner][part] * 65535.0).round() as u32;
         let both = |low: u32, high: u32| low | high << 16;
+        let material = self.material(triangle).map_or(0, |material| material.number() as u32 + 1);
         let [a, b, c] = corners.map(|corner| self.corners[corner as usize]);
         [
             texel(a, triangle),
-            texel(b, paint(2, 2)),
+            texel(b, both(paint(2, 2), material)),
             texel(c, 0),
             [
                 both(paint(0, 0), paint(0, 1)),

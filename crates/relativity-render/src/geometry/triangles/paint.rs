@@ -1,4 +1,5 @@
-//! The paint of triangles: what their corners have, times what their texture has there.
+//! The paint of triangles: a measured material, or what their corners have, times what their texture has
+//! there.
 
 use std::array::from_fn;
 
@@ -6,6 +7,8 @@ use glam::DVec3;
 
 use super::texture::MipMap;
 use super::{RawModel, TrianglePoint, Triangles};
+use crate::colour::paint::{Material, Paint};
+use crate::colour::sunlit;
 
 impl Triangles {
     /// Returns the paint at a `point`: reflectances in linear sRGB.
@@ -26,6 +29,12 @@ impl Triangles {
         let gradients = self.gradients(point.triangle, [a, b, c]);
         let colour = texture.colour(place, gradients.map(range));
         from_fn(|part| own[part] * colour[part])
+    }
+
+    /// Returns the measured material of this triangle, if it has one.
+    #[must_use]
+    pub fn material(&self, triangle: u32) -> Option<Material> {
+        self.materials.get(triangle as usize).copied().flatten()
     }
 
     /// The textures with their smaller copies, as [`Self::texture_numbers`] names them.
@@ -49,11 +58,15 @@ impl Triangles {
 
     fn texture_of(&self, triangle: u32) -> Option<&MipMap> {
         let number = self.texture_numbers.get(triangle as usize).copied()?;
+        let number = if self.material(triangle).is_some() { RawModel::NO_TEXTURE } else { number };
         (number != RawModel::NO_TEXTURE).then(|| &self.textures[number as usize])
     }
 
     /// Returns the paint of the corners, mixed at `point`.
     pub(super) fn corner_paint(&self, point: TrianglePoint) -> [f64; 3] {
+        if let Some(material) = self.material(point.triangle) {
+            return sunlit::colour(Paint::Measured(material), 0.0);
+        }
         if self.paints.is_empty() {
             return [1.0; 3];
         }

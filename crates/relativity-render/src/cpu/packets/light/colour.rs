@@ -3,49 +3,75 @@
 use std::array::from_fn;
 
 use super::daylight::{Facings, of_street_daylight};
-use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, ScreenLights, Tables, shown};
-use crate::cpu::packets::logarithm::{MOST_POWER, log2, power_of_two};
+use super::tables::{ScreenLights, Tables, on_screen, shown};
+use crate::colour::sunlit::WHITE;
+use crate::cpu::packets::logarithm::{log2, power_of_two};
 use crate::cpu::packets::places::pixel_of_lane;
 use crate::light::hatch::Hatch;
+use crate::light::palette::{FIRST_SUNLIT, Row};
 use crate::light::shade::FORM;
-use crate::simd::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all};
+use crate::simd::lanes::{F, LANES, Simd, SimdFrom as _, V3, all};
 use crate::view::effects::{Effects, Spectrum};
 
-#[inline(always)]
-fn of_one_place<S: Simd>(
-    effects: Effects,
-    tables: &Tables,
-    light: [f32; 4],
-    octaves: F<S>,
-    shift: F<S>,
-) -> ScreenLights<S> {
-    let [at_rest, per_octave, exponent, exposure] = light;
-    let row = if per_octave < 0.0 { LINE_ROW } else { GLOW_ROW };
-    let place = shift * per_octave + at_rest;
-    let (entry, level) = tables.looked_up(row, place);
-    let power = power_of_two(level + octaves * exponent + exposure);
-    shown(effects, tables, entry * power, row, place)
+/// Light as the formulas take it.
+#[derive(Clone, Copy)]
+pub enum LightKind<S: Simd> {
+    /// Light of a row of the tables.
+    InRow(usize),
+    /// Daylight that smooth paint reflects, with these shares of red, green and blue.
+    Smooth(V3<S>),
+}
+
+impl<S: Simd> LightKind<S> {
+    /// Returns the kind of this [`Light::packed`](crate::light::screen_light::Light::packed), on the paint of
+    /// a model if there is any.
+    #[inline(always)]
+    fn new(simd: S, light: [f32; 4], paint: Option<V3<S>>) -> Self {
+        let [first, second, ..] = light;
+        if first >= 0.0 {
+            return Self::Smooth(V3::all(simd, [first, second, 1.0 - first - second]));
+        }
+        let row = -first as usize - 1;
+        match paint {
+            Some(paint) if row == FIRST_SUNLIT + WHITE => Self::Smooth(paint),
+            _ => Self::InRow(row),
+        }
+    }
+
+    /// Whether it is daylight.
+    #[inline(always)]
+    fn is_daylight(self) -> bool {
+        matches!(self, Self::Smooth(_) | Self::InRow(FIRST_SUNLIT..))
+    }
 }
 
 #[inline(always)]
-fn of_daylight<S: Simd>(
+fn of_place<S: Simd>(
     effects: Effects,
     tables: &Tables,
     light: [f32; 4],
-    octaves: F<S>,
-    shift: F<S>,
+    kind: LightKind<S>,
+    [octaves, shift]: [F<S>; 2],
+    paint: Option<V3<S>>,
 ) -> ScreenLights<S> {
-    let [band, band_exposure, exposure, band_exponent] = light;
-    let place = shift * tables.glow_per_octave + tables.daylight_place;
-    let (white, white_level) = tables.looked_up(GLOW_ROW, place);
-    let (own, own_level) = tables.looked_up(BAND_ROW, shift * -tables.band_per_octave + band);
-    let exponent = if effects.doppler_shift { 0.0 } else { band_exponent };
-    let white_power = white_level + octaves * exponent + exposure;
-    let own_power = own_level + octaves * band_exponent + band_exposure;
-    // Beyond what floats hold both are held back alike: so their mixture keeps its hue.
-    let beyond = (white_power.max(own_power) - MOST_POWER).max(0.0);
-    let sum = white * power_of_two(white_power - beyond) + own * power_of_two(own_power - beyond);
-    shown(effects, tables, sum, GLOW_ROW, place)
+    let [_, at_rest, exponent, exposure] = light;
+    let (row, place, (colour, level)) = match kind {
+        LightKind::InRow(row) => {
+            let place = shift * tables.per_octave(row) + at_rest;
+            (row, place, tables.colour(row, place))
+        }
+        LightKind::Smooth(shares) => {
+            let place = shift * tables.sunlit_per_octave + tables.sunlit_at_rest;
+            (FIRST_SUNLIT, place, tables.smooth(FIRST_SUNLIT, shares, place))
+        }
+    };
+    let mut light = colour * power_of_two(level + octaves * exponent + exposure);
+    if row >= FIRST_SUNLIT {
+        light = on_screen(light);
+    } else if let Some(paint) = paint {
+        light = light.times(paint);
+    }
+    shown(effects, light, || tables.unseen(row, place))
 }
 
 #[inline(always)]
@@ -56,24 +82,27 @@ fn colour_of<S: Simd>(
     light: [f32; 4],
     doppler: F<S>,
     facing: Option<Facings<S>>,
+    paint: Option<V3<S>>,
 ) -> ScreenLights<S> {
     if effects.spectrum() == Spectrum::AtRest {
-        let unseen = (light[3] != 0.0).then(|| all(simd, light[3]));
-        return ScreenLights { colour: V3::of_four(simd, light), unseen };
+        let colour = V3::of_four(simd, light);
+        let colour = paint.map_or(colour, |paint| colour.times(paint));
+        return shown(effects, colour, || all(simd, light[3]));
     }
     let octaves = log2(doppler);
+    if effects.spectrum() == Spectrum::Map {
+        let place = octaves * tables.map_per_octave + tables.map_middle;
+        let colour = tables.looked_up(Row::Map.number(), place).0;
+        let dimmed = |paint: V3<S>| colour * (paint.x * 0.2126 + paint.y * 0.7152 + paint.z * 0.0722);
+        return ScreenLights { colour: paint.map_or(colour, dimmed), unseen: None };
+    }
     let shift = if effects.doppler_shift { octaves } else { all(simd, 0.0) };
-    match effects.spectrum() {
-        Spectrum::AtRest | Spectrum::OnePlace => of_one_place(effects, tables, light, octaves, shift),
-        Spectrum::Daylight => of_daylight(effects, tables, light, octaves, shift),
-        Spectrum::StreetDaylight => {
-            let facing = facing.expect("it is known where the street's daylight is shown");
-            of_street_daylight(effects, tables, light, shift, facing)
+    let kind = LightKind::new(simd, light, paint);
+    match facing {
+        Some(facing) if kind.is_daylight() => {
+            of_street_daylight(effects, tables, light[3], kind, shift, facing)
         }
-        Spectrum::Map => {
-            let place = octaves * tables.map_per_octave + tables.map_middle;
-            ScreenLights { colour: tables.looked_up(MAP_ROW, place).0, unseen: None }
-        }
+        _ => of_place(effects, tables, light, kind, [octaves, shift], paint),
     }
 }
 
@@ -102,7 +131,8 @@ impl Hatched<'_> {
 
 /// Linear sRGB of a body with this [`Light::packed`](crate::light::screen_light::Light::packed) where it is
 /// received with this Doppler factor, before its brightness; `facing` the street's daylight, where that
-/// lights it, and `hatched` in these pixels.
+/// lights it, on the smooth `paint` of a model, and `hatched` in these pixels.
+#[expect(clippy::too_many_arguments, reason = "light, what it falls on, and how pictures look")]
 #[inline(always)]
 pub fn received_colour<S: Simd>(
     effects: Effects,
@@ -111,10 +141,11 @@ pub fn received_colour<S: Simd>(
     doppler: F<S>,
     normal: V3<S>,
     facing: Option<Facings<S>>,
+    paint: Option<V3<S>>,
     hatched: Hatched<'_>,
 ) -> V3<S> {
     let simd = doppler.simd;
-    let ScreenLights { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing);
+    let ScreenLights { mut colour, unseen } = colour_of(simd, effects, tables, light, doppler, facing, paint);
     if let Some(unseen) = unseen {
         colour += hatched.colour(unseen);
     }
@@ -131,6 +162,7 @@ mod tests {
     use relativity_core::math;
 
     use super::*;
+    use crate::colour::paint::{Material, Paint};
     use crate::colour::srgb_encoded;
     use crate::cpu::packets::testing::at_every_level;
     use crate::light::daylight;
@@ -189,6 +221,9 @@ mod tests {
     fn received_light_is_the_references() {
         let emissions = [
             Emission::WHITE,
+            Emission::Painted(Paint::Smooth([0.5, 0.2, 0.0])),
+            Emission::Painted(Paint::Measured(Material::ALL[10])),
+            Emission::Glowing(2700.0),
             Emission::Wavelength(450.0),
             Emission::Wavelength(550.0),
             Emission::Wavelength(700.0),
@@ -208,7 +243,7 @@ mod tests {
                     for factors in doppler_factors() {
                         let toward = V3::all(simd, normal.as_vec3().to_array());
                         let doppler = F::simd_from(simd, factors);
-                        let found = received_colour(effects, Tables::shared(), packed, doppler, toward, None, hatched);
+                        let found = received_colour(effects, Tables::shared(), packed, doppler, toward, None, None, hatched);
                         for (lane, factor) in factors.into_iter().enumerate() {
                             bits.extend(found.lane(lane).map(f32::to_bits));
                             let shading = if effects.form { form(normal) } else { 1.0 };
@@ -254,7 +289,12 @@ mod tests {
         ] {
             let appearance = appearance(exposure_ev);
             let effects = Effects::new(true, &appearance).in_street_daylight();
-            for emission in [Emission::WHITE, Emission::Wavelength(450.0), Emission::Wavelength(640.0)] {
+            for emission in [
+                Emission::WHITE,
+                Emission::Painted(Paint::Measured(Material::ALL[10])),
+                Emission::Glowing(2700.0),
+                Emission::Wavelength(640.0),
+            ] {
                 let light = Light::new(emission, &appearance);
                 let packed = light.packed(&appearance, effects).map(|part| part as f32);
                 at_every_level!(simd => {
@@ -262,10 +302,10 @@ mod tests {
                     for factors in doppler_factors() {
                         let (doppler, toward) = (F::simd_from(simd, factors), V3::all(simd, [0.0, 0.0, 1.0]));
                         let found =
-                            received_colour(effects, Tables::shared(), packed, doppler, toward, Some(facing), hatched);
+                            received_colour(effects, Tables::shared(), packed, doppler, toward, Some(facing), None, hatched);
                         let parts = daylight::Facing { rapid, ahead }.parts();
                         for (lane, factor) in factors.into_iter().enumerate() {
-                            let shown = light.shown_in_parts(&appearance, factor.into(), &parts);
+                            let shown = light.shown_in_parts(&appearance, factor.into(), &parts, Paint::WHITE);
                             let expected = expected(shown, &hatch, lane);
                             for (found, expected) in found.lane(lane).into_iter().zip(expected) {
                                 let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();

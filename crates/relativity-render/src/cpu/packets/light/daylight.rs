@@ -1,13 +1,14 @@
 //! The street's daylight as surfaces receive it: `shaders/daylight.wgsl` on the CPU.
 //! [`crate::light::daylight`] derives it.
 
-use std::f64::consts::LN_2;
-
-use super::tables::{BAND_ROW, GLOW_ROW, LAST, ScreenLights, Tables, shown};
+use super::colour::LightKind;
+use super::tables::{ScreenLights, Tables, on_screen, shown};
+use crate::colour::sunlit::{PAINTS, WHITE};
 use crate::cpu::packets::logarithm::{MOST_POWER, log2, power_of_two};
 use crate::cpu::packets::wheel::spin::velocity_at;
 use crate::cpu::packets::wheel::turning::TurningBody;
 use crate::light::daylight::{LEAST_BETA, MOST_RAPID, PARTS};
+use crate::light::palette::FIRST_SUNLIT;
 use crate::scene::wheel::packed::Turns;
 use crate::simd::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select};
 use crate::view::effects::Effects;
@@ -115,52 +116,62 @@ fn arc_cosine<S: Simd>(simd: S, cosine: F<S>) -> F<S> {
     select(cosine.simd_lt(all(simd, 0.0)), std::f32::consts::PI - angle, angle)
 }
 
-/// Returns 1 - 2^-`octaves`, to the last digit for few octaves too.
-#[inline(always)]
-fn missing<S: Simd>(octaves: F<S>) -> F<S> {
-    let natural = octaves * LN_2 as f32;
-    let small = natural * (1.0 - natural * 0.5);
-    select(natural.simd_lt(0.01), small, 1.0 - power_of_two(-octaves))
-}
-
-/// Linear sRGB of what reflects the street's daylight.
+/// Linear sRGB of what reflects the street's daylight, for this log2 of the exposure: see
+/// [`crate::colour::sunlit`].
 #[inline(always)]
 pub fn of_street_daylight<S: Simd>(
     effects: Effects,
     tables: &Tables,
-    light: [f32; 4],
+    exposure: f32,
+    kind: LightKind<S>,
     shift: F<S>,
     facing: Facings<S>,
 ) -> ScreenLights<S> {
     let simd = shift.simd;
-    let [band, band_exposure, exposure, band_exponent] = light;
     let course = SharedNumbers::new(simd, facing);
     let ends = course.ends(simd);
-    let (own, own_level) = tables.looked_up(BAND_ROW, shift * -tables.band_per_octave + band);
-    let quanta = power_of_two(all(simd, tables.daylight_quanta - band / tables.band_per_octave));
-    let own_power = own_level + shift * band_exponent + band_exposure + quanta;
-    let at_rest = missing(quanta);
+    let seen = shift * tables.sunlit_per_octave + tables.sunlit_at_rest;
+    // The shares of the smooth paint that stands for it, and what is left of its colour.
+    let stand_in = match kind {
+        LightKind::InRow(WHITE_ROW) => None,
+        LightKind::InRow(row) => {
+            Some((tables.looked_up(row + PAINTS, seen).0, tables.looked_up(row, seen).0))
+        }
+        LightKind::Smooth(shares) => Some((
+            tables.smooth(FIRST_SUNLIT + PAINTS, shares, seen).0,
+            tables.smooth(FIRST_SUNLIT, shares, seen).0,
+        )),
+    };
+    let paint = stand_in.map(|(shares, colour)| {
+        let smooth = tables.smooth(FIRST_LIGHT, shares, seen).0;
+        (shares, colour - smooth)
+    });
     let mut sum = V3::all(simd, [0.0; 3]);
     let (mut shares, mut beyond, mut hottest) = (all(simd, 0.0), all(simd, 0.0), all(simd, 0.0));
     for (i, node) in PARTS.into_iter().enumerate() {
         let LightPart { share, log2_doppler } = course.part(simd, ends, node);
-        let place = (shift + log2_doppler) * tables.glow_per_octave + tables.daylight_place;
-        let (white, white_level) = tables.looked_up(GLOW_ROW, place);
-        let received = quanta * power_of_two(-log2_doppler);
-        // Hotter than the table, light of any wavelength rises as the temperature.
-        let hotter = (place - LAST).max(0.0) / tables.glow_per_octave;
-        let white_power = white_level + exposure + hotter;
-        let own_power = own_power - received;
+        let place = (shift + log2_doppler) * tables.sunlit_per_octave + tables.sunlit_at_rest;
+        let (colour, level) = match paint {
+            None => tables.colour(WHITE_ROW, place),
+            Some((paint, rest)) => {
+                let (smooth, level) = tables.smooth(FIRST_LIGHT, paint, place);
+                (smooth + rest, level)
+            }
+        };
+        let power = level + exposure;
         if i == 0 {
             // Beyond what floats hold all are held back alike: so their mixture keeps its hue.
-            beyond = (white_power.max(own_power) - MOST_POWER).max(0.0);
+            beyond = (power - MOST_POWER).max(0.0);
             hottest = place;
         }
-        let more = at_rest / missing(received).max(1e-30);
-        let part =
-            white * power_of_two(white_power - beyond) + own * (power_of_two(own_power - beyond) * more);
-        sum += part * share;
+        sum += colour * (power_of_two(power - beyond) * share);
         shares += share;
     }
-    shown(effects, tables, sum * (1.0 / shares.max(1e-30)), GLOW_ROW, hottest)
+    let light = on_screen(sum * (1.0 / shares.max(1e-30)));
+    shown(effects, light, || tables.unseen(FIRST_SUNLIT, hottest))
 }
+
+/// The row of red paint at rest in shifted daylight, before those of green and of blue paint.
+const FIRST_LIGHT: usize = FIRST_SUNLIT + 2 * PAINTS;
+/// The row of white paint in the tables.
+const WHITE_ROW: usize = FIRST_SUNLIT + WHITE;

@@ -3,20 +3,12 @@
 use std::sync::LazyLock;
 
 use fearless_simd::i32x8;
-use relativity_core::math;
 
-use crate::colour::planck::DAYLIGHT_KELVIN;
-use crate::light::palette::{self, BAND, ENTRIES, GLOW, MAP};
+use crate::light::palette::{self, ENTRIES, FIRST_SUNLIT, Row};
 use crate::light::shade::LIGHT;
 use crate::light::tone::{BRIGHTEST, KNEE};
 use crate::simd::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp, select};
 use crate::view::effects::Effects;
-
-/// The rows of the tables. The row after a light's own has its unseen share.
-pub const LINE_ROW: usize = 0;
-pub const GLOW_ROW: usize = 2;
-pub const BAND_ROW: usize = 4;
-pub const MAP_ROW: usize = 5;
 
 const LENGTH: usize = ENTRIES as usize;
 pub const LAST: f32 = (ENTRIES - 1) as f32;
@@ -25,10 +17,10 @@ pub const LAST: f32 = (ENTRIES - 1) as f32;
 #[derive(Debug)]
 pub struct Tables {
     rows: Vec<[[f32; 4]; LENGTH]>,
-    pub glow_per_octave: f32,
-    pub band_per_octave: f32,
-    pub daylight_place: f32,
-    pub daylight_quanta: f32,
+    line_per_octave: f32,
+    glow_per_octave: f32,
+    pub sunlit_at_rest: f32,
+    pub sunlit_per_octave: f32,
     pub map_middle: f32,
     pub map_per_octave: f32,
     /// Unit vector towards the light of the shading, in the rest frame.
@@ -40,12 +32,12 @@ impl Tables {
     pub fn shared() -> &'static Self {
         static TABLES: LazyLock<Tables> = LazyLock::new(|| Tables {
             rows: palette::tables().as_chunks().0.to_vec(),
-            glow_per_octave: GLOW.per_octave() as f32,
-            band_per_octave: BAND.per_octave() as f32,
-            daylight_place: GLOW.place(math::log2(DAYLIGHT_KELVIN)) as f32,
-            daylight_quanta: palette::daylight_quanta() as f32,
-            map_middle: MAP.place(0.0) as f32,
-            map_per_octave: MAP.per_octave() as f32,
+            line_per_octave: Row::Line.range().per_octave() as f32,
+            glow_per_octave: Row::Glow.range().per_octave() as f32,
+            sunlit_at_rest: Row::Sunlit(0).range().place(0.0) as f32,
+            sunlit_per_octave: Row::Sunlit(0).range().per_octave() as f32,
+            map_middle: Row::Map.range().place(0.0) as f32,
+            map_per_octave: Row::Map.range().per_octave() as f32,
             light: LIGHT.normalize().as_vec3().to_array(),
         });
         &TABLES
@@ -74,11 +66,38 @@ impl Tables {
         )
     }
 
+    /// Returns how far a place in this row moves per octave of the Doppler factor: back in that of light of
+    /// one wavelength.
+    #[inline(always)]
+    pub fn per_octave(&self, row: usize) -> f32 {
+        match row {
+            FIRST_SUNLIT.. => self.sunlit_per_octave,
+            _ if row == Row::Line.number() => -self.line_per_octave,
+            _ => self.glow_per_octave,
+        }
+    }
+
+    /// The colours there and log2 of what they are multiplied by, which rises on beyond the end.
+    #[inline(always)]
+    pub fn colour<S: Simd>(&self, row: usize, place: F<S>) -> (V3<S>, F<S>) {
+        let (colour, level) = self.looked_up(row, place);
+        (colour, level + (place - LAST).max(0.0) * self.per_octave(row).abs().recip())
+    }
+
+    /// The sum of the colours there of red, green and blue paint in daylight with these shares, and log2 of
+    /// what they are multiplied by.
+    #[inline(always)]
+    pub fn smooth<S: Simd>(&self, first: usize, shares: V3<S>, place: F<S>) -> (V3<S>, F<S>) {
+        let (red, level) = self.colour(first, place);
+        let [green, blue] = [1, 2].map(|next| self.looked_up(first + next, place).0);
+        (red * shares.x + green * shares.y + blue * shares.z, level)
+    }
+
     /// Returns the unseen share of the light of this row.
     #[inline(always)]
-    fn unseen<S: Simd>(&self, row: usize, place: F<S>) -> F<S> {
+    pub fn unseen<S: Simd>(&self, row: usize, place: F<S>) -> F<S> {
         let simd = place.simd;
-        let table = &self.rows[row + 1];
+        let table = &self.rows[if row >= FIRST_SUNLIT { FIRST_SUNLIT - 1 } else { row + 2 }];
         let entries = entries(clamp(place, all(simd, 0.0), all(simd, LAST)) + 0.5);
         F::simd_from(simd, entries.map(|entry| table[entry][0]))
     }
@@ -125,15 +144,20 @@ pub fn untoned<S: Simd>(colour: V3<S>) -> V3<S> {
     colour * select(is_above, light / largest, all(largest.simd, 1.0))
 }
 
-/// `light` as a screen shows it, with its unseen share, where it is all but black.
+/// `light` where it has components below 0 as a screen can show it: see
+/// [`on_screen`](crate::colour::sunlit::on_screen).
 #[inline(always)]
-pub fn shown<S: Simd>(
-    effects: Effects,
-    tables: &Tables,
-    light: V3<S>,
-    row: usize,
-    place: F<S>,
-) -> ScreenLights<S> {
+pub fn on_screen<S: Simd>(light: V3<S>) -> V3<S> {
+    let least = light.x.min(light.y).min(light.z).min(0.0);
+    let grey = (light.x * 0.2126 + light.y * 0.7152 + light.z * 0.0722).max(0.0);
+    let share = grey / (grey - least).max(1e-30);
+    let part = |of: F<S>| select(least.simd_lt(0.0), ((of - grey) * share + grey).max(0.0), of);
+    V3::new(part(light.x), part(light.y), part(light.z))
+}
+
+/// `light` as a screen shows it, where it is all but black with this unseen share.
+#[inline(always)]
+pub fn shown<S: Simd>(effects: Effects, light: V3<S>, unseen: impl FnOnce() -> F<S>) -> ScreenLights<S> {
     let largest = light.x.max(light.y).max(light.z);
     let toned = shoulder(largest);
     let colour = light * (toned / largest.max(1e-30));
@@ -142,5 +166,5 @@ pub fn shown<S: Simd>(
     }
     let left = 1.0 - toned;
     let square = left * left;
-    ScreenLights { colour, unseen: Some(tables.unseen(row, place) * (square * square)) }
+    ScreenLights { colour, unseen: Some(unseen() * (square * square)) }
 }

@@ -2,10 +2,11 @@
 
 use super::contact::left_by_contacts;
 use super::house_fronts::{CoveredRange, front};
-use crate::cpu::packets::light::tables::{Tables, toned, untoned};
+use crate::cpu::packets::light::tables::{Tables, on_screen, toned, untoned};
 use crate::cpu::packets::logarithm::{log2, power_of_two};
 use crate::cpu::packets::ray::{GroupPassage, PixelSight, line_of_sight, passage, steps_but_along};
 use crate::frame::uniform::FrameUniform;
+use crate::light::street_light::{DAYLIT_ROW, FALSE_ROW};
 use crate::simd::lanes::{F, Simd, SimdBase as _, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
 use crate::street::backdrop::{
     AXIS_HALF_WIDTH, BackdropPart, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
@@ -167,11 +168,16 @@ fn received<S: Simd>(frame: &FrameUniform, painted: V3<S>, doppler: F<S>) -> V3<
     let tables = Tables::shared();
     let [shift, level, exponent, exposure] = frame.street_light;
     let octaves = log2(doppler);
-    let place = octaves * (shift * tables.map_per_octave) + tables.map_middle;
-    let (tint, brightness) = tables.looked_up(frame.street().row() as usize, place);
-    let power = power_of_two(brightness * level + octaves * exponent + exposure);
     let light = untoned(painted);
-    toned(V3::new(light.x * tint.x * power, light.y * tint.y * power, light.z * tint.z * power))
+    let (light, brightness) = if frame.street() == StreetVariant::Daylit {
+        let place = octaves * (shift * tables.sunlit_per_octave) + tables.sunlit_at_rest;
+        tables.smooth(DAYLIT_ROW, light, place)
+    } else {
+        let place = octaves * (shift * tables.map_per_octave) + tables.map_middle;
+        let (tint, level) = tables.looked_up(FALSE_ROW, place);
+        (light.times(tint), level)
+    };
+    toned(on_screen(light * power_of_two(brightness * level + octaves * exponent + exposure)))
 }
 
 #[inline(always)]

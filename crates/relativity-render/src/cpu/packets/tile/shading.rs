@@ -167,7 +167,7 @@ impl<S: Simd> TileContents<S, 4> {
                     Met::new(simd, look, owner, packet);
                 let Surface { place, normal, .. } = surface;
                 let there = Element { seen: &seen, turning: &turning, place, normal, doppler };
-                let colour = there.colour(simd, look, appearance, tables, hatched);
+                let colour = there.colour(simd, look, appearance, tables, None, hatched);
                 if seen.body.marking.is_none() {
                     return (colour, test.alpha);
                 }

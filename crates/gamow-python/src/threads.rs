@@ -1,0 +1,54 @@
+//! Threads of this process. A `fork`, by which multiprocessing starts its workers on Linux before Python 3.14,
+//! takes no thread along but the one that calls it: a child has to start its own, or it would wait for ever.
+
+use std::process;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+use relativity_core::threads::{ThreadPool, ThreadPoolBuilder};
+
+/// The process that loaded the package, whose threads are the usual ones.
+static LOADED_BY: OnceLock<u32> = OnceLock::new();
+/// The threads of a child, and its number.
+static OF_CHILD: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+
+/// Notes that this process has loaded the package.
+pub fn note_process() {
+    LOADED_BY.get_or_init(process::id);
+}
+
+/// Does `work` on threads of this process, while other threads of Python go on.
+///
+/// # Errors
+///
+/// A child for which the system starts no threads, in a line.
+pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    py.detach(|| {
+        Ok(match pool_of_child()? {
+            Some(pool) => pool.install(work),
+            None => work(),
+        })
+    })
+}
+
+/// Returns the threads of this process if it is a child of the one that loaded the package.
+fn pool_of_child() -> PyResult<Option<Arc<ThreadPool>>> {
+    let process = process::id();
+    if LOADED_BY.get().is_none_or(|loaded_by| *loaded_by == process) {
+        return Ok(None);
+    }
+    let mut kept = OF_CHILD.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, pool)) = kept.as_ref().filter(|(owner, _)| *owner == process) {
+        return Ok(Some(Arc::clone(pool)));
+    }
+    let pool = ThreadPoolBuilder::new()
+        .build()
+        .map_err(|error| PyOSError::new_err(format!("no threads could be started after a fork: {error}")))?;
+    let pool = Arc::new(pool);
+    // Dropping the threads of a parent would wait for them.
+    if let Some(others) = kept.replace((process, Arc::clone(&pool))) {
+        std::mem::forget(others);
+    }
+    Ok(Some(pool))
+}
