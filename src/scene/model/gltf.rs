@@ -6,7 +6,7 @@
 //! lines and points; compressed and sparse data are refused.
 //!
 //! The crate `gltf` reads text and numbers. It trusts indices, types and lengths, which are checked before
-//! they reach it; no file is read but by `beside`.
+//! they reach it; no file is read but by `companions`.
 //!
 //! # Accuracy
 //!
@@ -29,6 +29,7 @@ use relativity_core::math;
 use relativity_render::{RawModel, Wrap};
 
 use super::accessor::{COLOURS, INDICES, PLACES, TEXTURE_PLACES, check, data_of};
+use super::companions::Companions;
 use super::limits::check_count;
 use super::parts::{NamedModel, NamedPart};
 use super::textures::Textures;
@@ -38,17 +39,14 @@ const KNOWN: [&str; 2] = ["KHR_materials_unlit", "KHR_texture_transform"];
 /// Length of the head of a `.glb`, bytes.
 const HEAD: u32 = 12;
 
-/// Reads files that a model names.
-type ReadBeside<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
-
-/// Reads a model; `beside` reads the files that it names.
-pub(super) fn model(bytes: &[u8], beside: ReadBeside<'_>) -> Result<NamedModel, String> {
+/// Reads a model.
+pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedModel, String> {
     let Gltf { document, blob } = document(bytes)?;
-    let buffers = buffers(&document, blob, beside)?;
+    let buffers = buffers(&document, blob, companions)?;
     let mut reader = ModelReader {
         document: &document,
         buffers,
-        beside,
+        companions,
         textures: Textures::new(),
         model: RawModel::default(),
     };
@@ -127,13 +125,13 @@ fn wrong(path: &str, error: validation::Error) -> Option<String> {
 fn buffers(
     document: &Document,
     mut blob: Option<Vec<u8>>,
-    beside: ReadBeside<'_>,
+    companions: &Companions<'_>,
 ) -> Result<Vec<Vec<u8>>, String> {
     let mut all = Vec::new();
     let mut length = 0;
     for buffer in document.buffers() {
         let data = match buffer.source() {
-            Source::Uri(uri) => data_at(uri, "a buffer", beside)?,
+            Source::Uri(uri) => data_at(uri, "a buffer", companions)?,
             Source::Bin => blob.take().ok_or_else(|| format!("buffer {} has no data", buffer.index()))?,
         };
         length += data.len() as u64;
@@ -149,14 +147,15 @@ fn buffers(
 }
 
 /// Returns the data at `uri`, those of `what`: in itself, or in a file beside.
-fn data_at(uri: &str, what: &str, beside: ReadBeside<'_>) -> Result<Vec<u8>, String> {
+fn data_at(uri: &str, what: &str, companions: &Companions<'_>) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
         let decoded = encoded.and_then(|encoded| STANDARD.decode(encoded).ok());
         return decoded.ok_or_else(|| format!("{what} in it is not base64"));
     }
     let name = percent_encoding::percent_decode_str(uri).decode_utf8();
-    beside(&name.map_err(|_| format!("the name of {what} in it is not UTF-8 text"))?)
+    let name = name.map_err(|_| format!("the name of {what} in it is not UTF-8 text"))?;
+    companions.find(&name, &[""])
 }
 
 /// A node with its place in the scene.
@@ -217,7 +216,7 @@ fn turn(quaternion: [f64; 4]) -> DQuat {
 struct ModelReader<'a> {
     document: &'a Document,
     buffers: Vec<Vec<u8>>,
-    beside: ReadBeside<'a>,
+    companions: &'a Companions<'a>,
     /// By the numbers that the file has for them.
     textures: Textures<usize>,
     model: RawModel,
@@ -310,11 +309,11 @@ impl ModelReader<'_> {
         let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
         let places = reader.read_tex_coords(set).into_iter().flat_map(ReadTexCoords::into_f32);
         self.model.texture_places.extend(places.map(|place| transformed(&info, place)));
-        self.texture(&info.texture())
+        Ok(self.texture(&info.texture()))
     }
 
     /// Returns the number of a `texture`, which is read unless it was before.
-    fn texture(&mut self, texture: &gltf::Texture<'_>) -> Result<u32, String> {
+    fn texture(&mut self, texture: &gltf::Texture<'_>) -> u32 {
         let sampler = texture.sampler();
         let wrap = [sampler.wrap_s(), sampler.wrap_t()].map(|mode| match mode {
             WrappingMode::Repeat => Wrap::Repeat,
@@ -324,12 +323,14 @@ impl ModelReader<'_> {
         let number = texture.source().index();
         // The crate takes for granted that an image says where it is, and of which kind.
         let image = &self.document.as_json().images[number];
-        let (document, buffers, beside) = (self.document, &self.buffers, self.beside);
-        self.textures.number(texture.index(), wrap, || {
+        let (document, buffers, companions) = (self.document, &self.buffers, self.companions);
+        self.textures.number(texture.index(), wrap, companions, || {
             let name = format!("image {number}");
             match (&image.uri, image.buffer_view) {
-                (Some(uri), _) if uri.starts_with("data:") => Ok((data_at(uri, "an image", beside)?, name)),
-                (Some(uri), _) => Ok((data_at(uri, "an image", beside)?, uri.clone())),
+                (Some(uri), _) if uri.starts_with("data:") => {
+                    Ok((data_at(uri, "an image", companions)?, name))
+                }
+                (Some(uri), _) => Ok((data_at(uri, "an image", companions)?, uri.clone())),
                 (None, Some(view)) => {
                     let view = document.views().nth(view.value());
                     let data = view.and_then(|view| data_of(&view, buffers));
