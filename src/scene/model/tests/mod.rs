@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 mod companions;
+mod extensions;
 mod ridden;
 mod textures;
 mod wheels;
@@ -182,7 +183,7 @@ fn what_is_wrong_with_a_model_is_said_in_one_line() {
         (gltf(&|it| it["nodes"][1]["mesh"] = json!(3)), "nodes[1].mesh names something that there is not"),
         (
             gltf(&|it| it["accessors"][0]["type"] = json!("VEC2")),
-            "accessor 0 must be VEC3 of floats, as places are",
+            "accessor 0 must be VEC3 of numbers, as places are",
         ),
         (
             gltf(&|it| it["accessors"][0]["sparse"] = sparse()),
@@ -196,7 +197,11 @@ fn what_is_wrong_with_a_model_is_said_in_one_line() {
         (gltf(&|it| it["asset"]["version"] = json!("1.0")), "it is glTF \"1.0\", and must be 2.0"),
         (
             gltf(&|it| it["extensionsRequired"] = json!(["KHR_draco_mesh_compression"])),
-            "it needs the extension KHR_draco_mesh_compression, which is not known here",
+            "its triangles are compressed (KHR_draco_mesh_compression), which is not read here; `npx @gltf-transform/cli copy compressed.glb plain.glb` decompresses it",
+        ),
+        (
+            gltf(&|it| it["extensionsRequired"] = json!(["EXT_bent_space"])),
+            "it needs the extension EXT_bent_space, which is not known here",
         ),
         (gltf(&|it| it["accessors"][0]["count"] = json!(5)), "accessor 0 reaches beyond its data"),
         (gltf(&|it| it["accessors"][1]["count"] = json!(u64::MAX)), "accessor 1 reaches beyond its data"),
