@@ -31,7 +31,8 @@ use self::parts::NamedModel;
 pub use self::report::ModelReport;
 pub(super) use self::report::Models;
 use super::error::{Located, SceneProblem};
-use super::object::{Object, brightness};
+use super::light::brightness;
+use super::object::Object;
 use super::table::Table;
 use super::wheel::Changes;
 
@@ -151,7 +152,15 @@ pub fn read_model(ending: &str, bytes: &[u8]) -> Result<RawModel, String> {
 }
 
 fn parsed(ending: &str, bytes: &[u8], companions: &Companions<'_>) -> Result<NamedModel, String> {
-    if ending == "obj" { obj::model(bytes, companions) } else { gltf::model(bytes, companions) }
+    let parse = if ending == "obj" { obj::model } else { gltf::model };
+    let mut named = parse(bytes, companions)?;
+    if named.model.materials.iter().all(Option::is_none) {
+        named.model.materials.clear();
+    }
+    if !named.model.reversed.contains(&true) {
+        named.model.reversed.clear();
+    }
+    Ok(named)
 }
 
 /// The name of a file without its folder and its ending.

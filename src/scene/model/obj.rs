@@ -12,6 +12,7 @@ use relativity_render::colour::srgb_decoded;
 use relativity_render::{RawModel, Wrap};
 use tobj::{LoadError, LoadOptions, Mesh};
 
+use super::super::light::measured;
 use super::companions::Companions;
 use super::lines::{Lines, Problems};
 use super::materials::{Map, Material, Materials};
@@ -46,7 +47,7 @@ pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedMo
     for tobj::Model { mesh, name } in &meshes {
         let material = mesh.material_id.and_then(|number| materials.get(number));
         let first = reader.model.triangles.len();
-        reader.add(mesh, material);
+        reader.add(mesh, material)?;
         let number = *numbers.entry(name).or_insert_with(|| {
             parts.push(NamedPart { name: name.clone(), triangles: Vec::new() });
             parts.len() - 1
@@ -68,7 +69,7 @@ struct ModelReader<'a> {
 
 impl ModelReader<'_> {
     /// Adds the triangles of a mesh of one material.
-    fn add(&mut self, mesh: &Mesh, material: Option<&Material>) {
+    fn add(&mut self, mesh: &Mesh, material: Option<&Material>) -> Result<(), String> {
         let map = material.and_then(|it| it.picture.as_ref()).filter(|_| !mesh.texcoord_indices.is_empty());
         let texture = map.map_or(RawModel::NO_TEXTURE, |map| self.texture(map));
         // Beside a picture, black is what some programs write for no colour.
@@ -95,6 +96,9 @@ impl ModelReader<'_> {
             }
         }
         model.texture_numbers.resize(model.triangles.len(), texture);
+        let measured = material.map_or(Ok(None), |material| measured(&material.name))?;
+        model.materials.resize(model.triangles.len(), measured);
+        Ok(())
     }
 
     /// Returns the number of the texture of a material.

@@ -5,6 +5,7 @@ use gltf::mesh::util::ReadIndices;
 use gltf::mesh::{Mode, Semantic};
 use gltf::{Node, Primitive};
 
+use super::super::super::light::measured;
 use super::super::accessor::{INDICES, PLACES, check, read};
 use super::super::limits::check_count;
 use super::{ModelReader, deform};
@@ -58,6 +59,8 @@ impl ModelReader<'_> {
             model.reversed.push(is_reversed);
         }
         model.texture_numbers.resize(model.triangles.len(), texture);
+        let measured = primitive.material().name().map_or(Ok(None), measured)?;
+        model.materials.resize(model.triangles.len(), measured);
         model.corners.extend(corners.into_iter().map(|corner| placed.transform_point3(corner).to_array()));
         Ok(())
     }

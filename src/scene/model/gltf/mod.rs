@@ -79,9 +79,6 @@ fn read(text: Text, companions: &Companions<'_>) -> Result<NamedModel, String> {
     }
     let ModelReader { textures, mut model, .. } = reader;
     textures.put_into(&mut model);
-    if !model.reversed.contains(&true) {
-        model.reversed = Vec::new();
-    }
     Ok(NamedModel { model, parts })
 }
 
