@@ -50,6 +50,9 @@ fn read(text: Text, companions: &Companions<'_>) -> Result<NamedModel, String> {
     if tree.hidden > 0 {
         companions.remark(format!("{} hidden by its nodes", counted(tree.hidden, "mesh is", "meshes are")));
     }
+    if let Some(left) = passed_over(&document) {
+        companions.remark(left);
+    }
     let mut reader = ModelReader {
         document: &document,
         extended: &extended,
@@ -80,6 +83,19 @@ fn read(text: Text, companions: &Companions<'_>) -> Result<NamedModel, String> {
     let ModelReader { textures, mut model, .. } = reader;
     textures.put_into(&mut model);
     Ok(NamedModel { model, parts })
+}
+
+/// Returns what a file has beside its triangles, if there is anything.
+fn passed_over(document: &Document) -> Option<String> {
+    let counts = [
+        (document.animations().len(), "animation", "animations"),
+        (document.cameras().len(), "camera", "cameras"),
+    ];
+    let counts = counts.into_iter().filter(|(count, ..)| *count > 0);
+    let has_lights = document.extensions_used().any(|name| name == "KHR_lights_punctual");
+    let lights = has_lights.then(|| "its lights".to_owned());
+    let all: Vec<_> = counts.map(|(count, one, many)| counted(count, one, many)).chain(lights).collect();
+    (!all.is_empty()).then(|| format!("left out: {}", all.join(", ")))
 }
 
 /// Returns a number with what is counted.
