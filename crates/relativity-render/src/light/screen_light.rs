@@ -56,6 +56,7 @@ struct Levels {
 
 impl Light {
     /// Returns the light of `emission`, as `appearance` takes it.
+    #[must_use]
     pub fn new(emission: Emission, appearance: &Appearance) -> Self {
         match (appearance.colour, emission) {
             (Colour::False, _) => Self::Map,
@@ -69,7 +70,7 @@ impl Light {
 
     /// Returns the band in which this light is received at `doppler_factor`: visible, infrared or
     /// ultraviolet.
-    pub fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
+    pub(crate) fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
         let shift = if appearance.doppler_shift { doppler_factor } else { 1.0 };
         match self {
             Self::Line(nm) => Band::from_wavelength(nm / shift),
@@ -81,12 +82,13 @@ impl Light {
     }
 
     /// Returns the colour and the unseen share at `doppler_factor`, for a surface that faces the light.
+    #[must_use]
     pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> ScreenLight {
         self.shown_in_parts(appearance, doppler_factor, &[DaylightPart::OWN])
     }
 
     /// Returns colour and unseen share where daylight is received in these `parts`, the hottest first.
-    pub fn shown_in_parts(
+    pub(crate) fn shown_in_parts(
         self,
         appearance: &Appearance,
         doppler_factor: f64,
@@ -154,7 +156,7 @@ impl Light {
     }
 
     /// Returns the light as the shaders read it: see `received_colour` there.
-    pub fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
+    pub(crate) fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
         let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
         match (effects.spectrum(), self) {
             (Spectrum::AtRest, _) => {
