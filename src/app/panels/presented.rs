@@ -41,16 +41,15 @@ const KEYS_HEIGHT: f32 = 1.3;
 const APART: &str = "\u{a0}·\u{a0}";
 
 /// Returns the height in proportion to which a window of this `area` writes for an audience.
-#[must_use]
-pub fn reference_height(area: Rect) -> f32 {
+fn reference_height(area: Rect) -> f32 {
     area.height().min(LEAST_ASPECT * area.width())
 }
 
-/// Returns how much larger than usual writing is for an audience: the smallest is as high as the last row
-/// needs, and larger with the window's zoom.
+/// Returns the magnification of writing for an audience in a window with this inner `area`: the smallest is
+/// as high as the last row needs, and larger with the window's zoom.
 #[must_use]
-pub fn scale(ctx: &Context) -> f32 {
-    let height = reference_height(ctx.content_rect()) * ctx.zoom_factor();
+pub fn scale(ctx: &Context, area: Rect) -> f32 {
+    let height = reference_height(area) * ctx.zoom_factor();
     let [least, most] = SCALES;
     (LEAST_SHARE * height / theme::SMALL_SIZE).clamp(least, most)
 }
@@ -86,7 +85,7 @@ pub fn show(
 
 /// Shows `contents` of a lesson as large as fits into the room of `ui`; `key` identifies them.
 pub fn fitting(ui: &mut Ui, key: String, contents: impl FnOnce(&mut Ui)) {
-    let height = ui.ctx().zoom_factor() * reference_height(ui.ctx().content_rect());
+    let height = theme::text_scale(ui.style()) * theme::SMALL_SIZE / LEAST_SHARE;
     fitted::show(ui, key, LESSON_SIZES.map(|share| share * height), |ui| {
         ui.spacing_mut().item_spacing.y = 0.25 * TextStyle::Body.resolve(ui.style()).size;
         contents(ui);

@@ -91,7 +91,7 @@ impl App {
         name_window(ui.ctx(), TITLE);
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let scale = presented::scale(ui.ctx());
+        let scale = presented::scale(ui.ctx(), area);
         theme::set_body_size(ui.style_mut(), theme::BODY_SIZE * scale);
         let presentation = self.presentation(ui, area);
         let panes = presentation.panes.clone();

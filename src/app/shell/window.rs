@@ -152,7 +152,7 @@ impl App {
         let scale = match session.stage.is_presented() {
             // Its cards have pictures, and are to be in sight.
             true if session.overlay.is_some_and(Overlay::is_page) => PRESENTED_START_SCALE,
-            true => panels::presented::scale(ctx),
+            true => panels::presented::scale(ctx, ctx.content_rect()),
             false => 1.0,
         };
         if scale != self.text_scale {
