@@ -129,7 +129,7 @@ fn transport(ui: &mut Ui, state: &State, commands: &mut Commands) {
             commands.push(command);
         }
     }
-    if few {
+    if few && state.session.lesson.is_none() {
         let film = Command::File(FileCommand::Choose(Purpose::Save(Product::TenSeconds)));
         let tip = with_keys(Product::TenSeconds.tip(), std::slice::from_ref(&film));
         if ui.add(Button::new("Film").min_size(vec2(0.0, 26.0))).on_hover_text(tip).clicked() {

@@ -2,7 +2,7 @@
 //! slides them; before an audience, by the Doppler factor of what passes there.
 
 use eframe::egui::{
-    self, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, Visuals, accesskit::Role, pos2, vec2,
+    self, Align2, FontId, Painter, Rect, Sense, Stroke, Ui, Visuals, accesskit::Role, pos2, vec2,
 };
 use relativity_core::math;
 
@@ -166,9 +166,10 @@ impl Ruler<'_> {
             if labels.take_free([place]).is_none() {
                 continue;
             }
-            if !is_in_window {
-                let on_strip = if *has_colours { Color32::WHITE } else { colour };
-                painter.vline(x, columns.strip.y_range(), Stroke::new(2.0, on_strip));
+            if !is_in_window && *has_colours {
+                spectrum::paint_tick(painter, columns.strip, x);
+            } else if !is_in_window {
+                painter.vline(x, columns.strip.y_range(), Stroke::new(2.0, colour));
             } else if is_own {
                 let tip = pos2(x, room.min.y);
                 let corners = [vec2(4.0, NAMED_LENGTH), vec2(-4.0, NAMED_LENGTH)].map(|off| tip + off);

@@ -170,6 +170,13 @@ fn paint_broad(
     paint_strip(painter, strip, places(strip).map(|x| (x, colour(x))));
 }
 
+/// Draws a tick across the strip at `x`, which is seen on colours of any brightness.
+pub fn paint_tick(painter: &Painter, strip: Rect, x: f32) {
+    for (width, colour) in [(4.0, Color32::from_black_alpha(130)), (1.5, Color32::WHITE)] {
+        painter.vline(x, strip.y_range(), Stroke::new(width, colour));
+    }
+}
+
 fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: &Speed) {
     let font = FontId::proportional(columns.scale * theme::SMALL_SIZE);
     if speed.beta() == 0.0 {
@@ -182,7 +189,7 @@ fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: 
         let galley = painter.layout_no_wrap(factor_text(factor), font.clone(), Color32::WHITE);
         let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
         if labels.take_free([place]).is_some() {
-            painter.vline(x, strip.y_range(), Stroke::new(1.5, Color32::WHITE));
+            paint_tick(painter, strip, x);
             painter.rect_filled(place, 2.0, Color32::from_black_alpha(150));
             painter.galley(place.min, galley, Color32::WHITE);
         }
