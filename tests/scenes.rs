@@ -2,7 +2,7 @@
 
 use gamow::scene::{PRESETS, Scene};
 use glam::{DQuat, DVec3};
-use relativity_render::Shape;
+use relativity_render::{Body, Material, Shape};
 
 /// Signed distance of a point from the surface of a shape.
 fn distance(shape: &Shape, point: DVec3) -> f64 {
@@ -208,4 +208,38 @@ fn the_tram_is_what_its_example_writes() {
         assert!((spin.radius - 0.4).abs() < 1e-3, "{spin:?}");
     }
     assert!(body.shape.distance(scene.tracked.into()).abs() < 1e-9);
+}
+
+/// The description of scene files names every measured material.
+#[test]
+fn every_material_is_described() {
+    let description = include_str!("../assets/scenes/README.md");
+    let missing =
+        Material::ALL.into_iter().find(|material| !description.contains(&format!("`{}`", material.name())));
+    assert_eq!(missing, None);
+}
+
+#[path = "../examples/town/main.rs"]
+#[allow(dead_code, reason = "as an example it has a main function")]
+#[allow(clippy::allow_attributes, reason = "an expectation would fail in the example itself")]
+mod town;
+
+/// The town and its cyclist equal what their example writes; nothing in the town touches the ground, since that would
+/// have a shadow there.
+#[test]
+fn the_town_is_what_its_example_writes() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes");
+    for (name, text) in town::files() {
+        let written = std::fs::read_to_string(format!("{folder}/{name}")).expect("it is there");
+        assert!(written == text, "{name}: run `cargo run --example town`");
+    }
+    let scene = Scene::preset("town").expect("a preset");
+    let ground = scene.ground_z.expect("a ground");
+    let low = |body: &Body| match body.shape {
+        Shape::Box { center, half, .. } => center[2] - half[2],
+        Shape::Sphere { center, radius } => center[2] - radius,
+        _ => f64::INFINITY,
+    };
+    let touching = scene.bodies.iter().find(|body| (low(body) - ground).abs() < 0.02);
+    assert_eq!(touching, None);
 }

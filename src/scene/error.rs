@@ -81,6 +81,24 @@ pub enum SceneProblem {
         /// Value that would be right.
         expected: &'static str,
     },
+    /// Two kinds of light of one object.
+    #[error("{key} = {value} must be left out where there is `{other}`: an object has one light")]
+    TwoLights {
+        /// Key of the second.
+        key: &'static str,
+        /// Its value, as in the file.
+        value: String,
+        /// Key of the first.
+        other: &'static str,
+    },
+    /// A material that has not been measured.
+    #[error("material = {value} must be a measured one: the nearest are {nearest}")]
+    UnknownMaterial {
+        /// The name, as in the file.
+        value: String,
+        /// The most similar names.
+        nearest: String,
+    },
     /// A name of more letters than one may have.
     #[error("{key} = {value} must have at most {most} letters", most = sizes::NAME_LETTERS)]
     LongName {
@@ -166,7 +184,7 @@ pub enum SceneProblem {
     UnknownInclude(String),
     /// Changes to the wheels of a preset that has none.
     #[error(
-        "`wheels`: the scene {0} has none that could be changed; leave this out, or include cyclist, wheel or tram"
+        "`wheels`: the scene {0} has none that could be changed; leave this out, or include cyclist, mr-tompkins, wheel or tram"
     )]
     NoWheels(String),
     /// A model whose file cannot be read, or is none.

@@ -1,7 +1,7 @@
 //! Whether two scenes are the same: a hash of what is in them, however the program calls its parts.
 
 use relativity_core::Turning;
-use relativity_render::{Body, Motion, Pattern, Spin};
+use relativity_render::{Body, Emission, Motion, Paint, Pattern, Spin};
 
 use super::content::{Scene, SceneGroup};
 use crate::files::provenance::Provenance;
@@ -13,8 +13,9 @@ impl Scene {
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the
     /// height of the ground, its street if there is one, and of each group its name, its own beta, and its
     /// bodies; of a body its shape by the name in a scene file, the numbers of that in the order of the scene
-    /// format (of a box half its size, and its turn as a quaternion), its wavelength and, if it is below 1,
-    /// its brightness after that word, and if it has one its pattern by name, with its spacing; and if it
+    /// format (of a box half its size, and its turn as a quaternion), its wavelength, the linear colour of
+    /// other than white paint, the name of its material or the temperature at which it glows after "paint",
+    /// "material" or "glows", and, if it is below 1, its brightness after that word, and if it has one its pattern by name, with its spacing; and if it
     /// turns after "rolls" or "turns" its axle, the radius on which it rolls and, if it does not roll, the
     /// speed of its rim; and of a model, whose shape is the box around it, after "triangles" the same hash of
     /// these, word by word. Names end in a zero byte; numbers go in bit by bit, big end first, those that are
@@ -80,6 +81,7 @@ impl Hash {
         self.name(body.shape.name());
         self.numbers(&body.shape.numbers());
         self.numbers(&[body.emission.wavelength_nm().unwrap_or(f64::INFINITY)]);
+        self.light(body.emission);
         if body.brightness < 1.0 {
             self.name("brightness");
             self.numbers(&[body.brightness]);
@@ -89,6 +91,25 @@ impl Hash {
         if let Some(triangles) = &body.triangles {
             self.name("triangles");
             self.bytes(&triangles.fingerprint().to_be_bytes());
+        }
+    }
+
+    /// Nothing of light of one wavelength, and of white light.
+    fn light(&mut self, emission: Emission) {
+        match emission {
+            Emission::Wavelength(_) | Emission::WHITE => {}
+            Emission::Glowing(kelvin) => {
+                self.name("glows");
+                self.numbers(&[kelvin]);
+            }
+            Emission::Painted(Paint::Smooth(colour)) => {
+                self.name("paint");
+                self.numbers(&colour);
+            }
+            Emission::Painted(Paint::Measured(material)) => {
+                self.name("material");
+                self.name(material.name());
+            }
         }
     }
 
@@ -121,7 +142,7 @@ impl Hash {
 
 #[cfg(test)]
 mod tests {
-    use relativity_render::{Emission, Velocity};
+    use relativity_render::{Material, Velocity};
 
     use super::*;
 
@@ -134,7 +155,7 @@ mod tests {
     #[test]
     fn every_part_of_a_scene_shows_in_its_fingerprint() {
         let scene = Scene::preset("cyclist").expect("a preset");
-        let mut others = vec![scene.clone(); 16];
+        let mut others = vec![scene.clone(); 20];
         others[0].name.push('2');
         others[1].tracked[2] += 1e-9;
         others[2].ground_z = None;
@@ -152,10 +173,14 @@ mod tests {
         others[13].bodies[0].spin = Some(Spin { radius: 0.6, ..spin });
         others[14].bodies[0].spin = Some(Spin { turning: Turning::RimSpeed(0.5), ..spin });
         others[15].bodies[0].spin = Some(spin.moved([0.0, 1e-9, 0.0]));
+        others[16].bodies[0].emission = Emission::Glowing(2700.0);
+        others[17].bodies[0].emission = Emission::Painted(Paint::Smooth([0.5; 3]));
+        others[18].bodies[0].emission = Emission::Painted(Paint::Measured(Material::ALL[0]));
+        others[19].bodies[0].emission = Emission::Painted(Paint::Measured(Material::ALL[1]));
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
         fingerprints.push(scene.fingerprint());
         fingerprints.sort();
         fingerprints.dedup();
-        assert_eq!(fingerprints.len(), 17);
+        assert_eq!(fingerprints.len(), 21);
     }
 }

@@ -7,6 +7,7 @@ mod content;
 mod error;
 mod file;
 mod fingerprint;
+mod light;
 mod model;
 mod names;
 mod object;

@@ -3,19 +3,17 @@
 use std::ops::Range;
 use std::rc::Rc;
 
-use relativity_render::{Body, Emission, Pattern, Shape};
+use relativity_render::{Body, Pattern, Shape};
 
 use super::error::{Located, SceneProblem};
+use super::light;
 use super::table::{Table, coincide};
 
-/// Red, as in the paper.
-const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
 /// Default degrees from line to line of a graticule, and default length from line to line of other patterns.
 const DEFAULT_DEGREES: f64 = 15.0;
 const DEFAULT_SPACING: f64 = 0.25;
-/// The keys of an object of any shape, beside its shape.
-const OF_EVERY_OBJECT: [&str; 8] =
-    ["name", "wavelength_nm", "light", "brightness", "pattern", "spacing", "repeat", "step"];
+/// The keys of an object of any shape, beside its shape and its light.
+const OF_EVERY_OBJECT: [&str; 5] = ["name", "pattern", "spacing", "repeat", "step"];
 
 /// Reads the shape of an object.
 type ShapeReader = fn(&Table) -> Result<Shape, Located>;
@@ -59,7 +57,7 @@ pub(super) fn object(mut object: Table) -> Result<Object, Located> {
     object.owner = owner;
     let shape = read(&object)?;
     let name = object.string("name")?.map(str::to_owned);
-    let (emission, brightness) = (emission(&object)?, brightness(&object)?);
+    let (emission, brightness) = (light::emission(&object)?, light::brightness(&object)?);
     let body =
         Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None, triangles: None };
     Ok(Object { body, name, include: None, span: object.span })
@@ -74,29 +72,7 @@ fn known_shapes() -> String {
 
 /// Refuses keys other than those of every object and the `known` ones of its shape.
 fn check_keys(object: &Table, known: &[&str]) -> Result<(), Located> {
-    object.check_keys(&[&["shape"], known, &OF_EVERY_OBJECT].concat())
-}
-
-/// Parses the light of an object: one wavelength by default.
-pub(super) fn emission(object: &Table) -> Result<Emission, Located> {
-    let wavelength = object.size("wavelength_nm")?;
-    match (object.string("light")?, wavelength) {
-        (None, wavelength) => Ok(Emission::Wavelength(wavelength.unwrap_or(DEFAULT_WAVELENGTH_NM))),
-        (Some("white"), None) => Ok(Emission::WHITE),
-        (Some("white"), Some(_)) => {
-            Err(object.wrong("wavelength_nm", "left out where light = \"white\", which has every wavelength"))
-        }
-        (Some(_), _) => Err(object.wrong("light", "\"white\", or left out for light of one wavelength")),
-    }
-}
-
-/// Parses the brightness of an object relative to others: the greatest by default.
-pub(super) fn brightness(object: &Table) -> Result<f64, Located> {
-    let Some(brightness) = object.coordinate("brightness")? else { return Ok(1.0) };
-    if brightness > 0.0 && brightness <= 1.0 {
-        return Ok(brightness);
-    }
-    Err(object.wrong("brightness", "above 0 and at most 1"))
+    object.check_keys(&[&["shape"], known, &light::KEYS, &OF_EVERY_OBJECT].concat())
 }
 
 /// The pattern of an object of this `shape`: none unless it names one.

@@ -1,7 +1,7 @@
 //! The scenes that are compiled in.
 
 /// Names of the presets; the first is the default.
-pub const PRESETS: [&str; 13] = [
+pub const PRESETS: [&str; 16] = [
     "street",
     "cyclist",
     "cube",
@@ -15,6 +15,9 @@ pub const PRESETS: [&str; 13] = [
     "post-office",
     "tunnel",
     "tram",
+    "mr-tompkins",
+    "town",
+    "town-cyclist",
 ];
 
 /// The scene file of a preset.
@@ -33,6 +36,9 @@ pub(super) fn text(name: &str) -> Option<&'static str> {
         "post-office" => include_str!("../../assets/scenes/post-office.toml"),
         "tunnel" => include_str!("../../assets/scenes/tunnel.toml"),
         "tram" => include_str!("../../assets/scenes/tram.toml"),
+        "mr-tompkins" => include_str!("../../assets/scenes/mr-tompkins.toml"),
+        "town" => include_str!("../../assets/scenes/town.toml"),
+        "town-cyclist" => include_str!("../../assets/scenes/town-cyclist.toml"),
         _ => return None,
     })
 }

@@ -3,7 +3,7 @@
 mod names;
 mod wheels;
 
-use relativity_render::{Body, Emission, Motion, Pattern, Shape, Velocity};
+use relativity_render::{Body, Emission, Material, Motion, Paint, Pattern, Shape, Velocity};
 
 use super::{PRESETS, Scene, SceneError};
 
@@ -199,7 +199,7 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram; \
+        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram, mr-tompkins, town, town-cyclist; \
          for a file, give a name ending in .toml"
     );
 }
@@ -225,11 +225,11 @@ fn an_unknown_key_is_told_the_keys_there_are() {
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncentre = [0, 3, 2]\nradus = 1"),
-        "balls.toml:5: unknown key `radus`: a sphere has shape, centre, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
+        "balls.toml:5: unknown key `radus`: a sphere has shape, centre, radius, wavelength_nm, light, material, paint, glow_k, brightness, name, pattern, spacing, repeat, step"
     );
     assert_eq!(
         object_error("shape = \"tube\"\ncentre = [0, 3, 2]"),
-        "balls.toml:4: unknown key `centre`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
+        "balls.toml:4: unknown key `centre`: a tube has shape, from, to, radius, wavelength_nm, light, material, paint, glow_k, brightness, name, pattern, spacing, repeat, step"
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
@@ -414,7 +414,7 @@ fn a_size_must_be_positive_and_drawable() {
 }
 
 #[test]
-fn an_object_may_be_white_and_dim() {
+fn an_object_has_one_light_and_may_be_dim() {
     let ball = |light: &str| {
         let text =
             format!("{EXAMPLE}[[object]]\nshape = \"sphere\"\ncentre = [9, 0, 0]\nradius = 1\n{light}");
@@ -425,12 +425,32 @@ fn an_object_may_be_white_and_dim() {
     assert_eq!(ball(""), Ok((Emission::Wavelength(700.0), 1.0)));
     assert_eq!(ball("light = \"white\"\nbrightness = 0.25"), Ok((Emission::WHITE, 0.25)));
     assert_eq!(ball("wavelength_nm = 600\nbrightness = 1"), Ok((Emission::Wavelength(600.0), 1.0)));
+    assert_eq!(ball("glow_k = 2700"), Ok((Emission::Glowing(2700.0), 1.0)));
+    let bark = Material::named("bark").expect("it was measured");
+    assert_eq!(ball("material = \"bark\""), Ok((Emission::Painted(Paint::Measured(bark)), 1.0)));
+    // IEC 61966-2-1: 188 of 255 is 0.5029 in linear light.
+    let (paint, _) = ball("paint = \"#FF00bc\"").expect("it is a colour");
+    let Emission::Painted(Paint::Smooth([red, green, blue])) = paint else { panic!("{paint:?}") };
+    assert_eq!([red, green], [1.0, 0.0]);
+    assert!((blue - 0.5029).abs() < 5e-5, "{blue}");
     for (light, problem) in [
         ("light = \"red\"", "light = \"red\" must be \"white\", or left out for light of one wavelength"),
         (
             "wavelength_nm = 5\nlight = \"white\"",
-            "wavelength_nm = 5 must be left out where light = \"white\", which has every wavelength",
+            "light = \"white\" must be left out where there is `wavelength_nm`: an object has one light",
         ),
+        (
+            "material = \"leavs\"",
+            "material = \"leavs\" must be a measured one: the nearest are leaves, glass, bark",
+        ),
+        (
+            "paint = \"#b3202a\"\nmaterial = \"leaves\"",
+            "paint = \"#b3202a\" must be left out where there is `material`: an object has one light",
+        ),
+        ("paint = \"red\"", "paint = \"red\" must be a colour in sRGB, such as \"#b3202a\""),
+        ("paint = \"#+3202a\"", "paint = \"#+3202a\" must be a colour in sRGB, such as \"#b3202a\""),
+        ("paint = \"#b3202ä\"", "paint = \"#b3202ä\" must be a colour in sRGB, such as \"#b3202a\""),
+        ("glow_k = 0", "glow_k = 0 must be above 0"),
         ("brightness = 0", "brightness = 0 must be above 0 and at most 1"),
         ("brightness = 1.5", "brightness = 1.5 must be above 0 and at most 1"),
         ("brightness = nan", "brightness = nan must lie between -1e6 and 1e6"),
@@ -469,7 +489,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, tunnel, tram, mr-tompkins, town, town-cyclist"
     );
 }
 
@@ -519,18 +539,19 @@ fn the_examples_in_the_description_of_the_format_load() {
 
 #[test]
 fn wheels_are_changed_only_where_there_are_any() {
+    const WITH_WHEELS: [&str; 6] = ["street", "cyclist", "wheel", "tram", "mr-tompkins", "town-cyclist"];
     let text = |scene: &str| {
         format!("name = \"x\"\n[[include]]\nscene = \"{scene}\"\n[include.wheels]\nrolls = true")
     };
     for preset in PRESETS {
         let read = Scene::parse(&text(preset), "x.toml");
         match read {
-            Ok(_) => assert!(["street", "cyclist", "wheel", "tram"].contains(&preset), "{preset}"),
+            Ok(_) => assert!(WITH_WHEELS.contains(&preset), "{preset}"),
             Err(error) => assert_eq!(
                 error.to_string(),
                 format!(
                     "x.toml:4: `wheels`: the scene {preset} has none that could be changed; leave this out, or \
-                     include cyclist, wheel or tram"
+                     include cyclist, mr-tompkins, wheel or tram"
                 )
             ),
         }

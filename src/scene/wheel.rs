@@ -6,10 +6,11 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use relativity_core::{Turning, math};
-use relativity_render::{Body, Pattern, Shape, Spin};
+use relativity_render::{Body, Emission, Paint, Pattern, Shape, Spin};
 
 use super::error::Located;
-use super::object::{self, Object};
+use super::light;
+use super::object::Object;
 use super::table::Table;
 
 /// End of a wheel's name, which the names of its parts replace.
@@ -108,8 +109,8 @@ pub(super) fn wheel(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     let wheel = Wheel::read(table)?;
     let name = table.string("name")?.unwrap_or(WHEEL);
     let light = Body {
-        emission: object::emission(table)?,
-        brightness: object::brightness(table)?,
+        emission: light::emission(table)?,
+        brightness: light::brightness(table)?,
         ..Body::white(wheel.hub_tube())
     };
     let changes = changes.or(Changes::read(table)?);
@@ -126,8 +127,13 @@ pub(super) fn wheel(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
         include: None,
         span: table.span.clone(),
     };
+    let mut tyre = object(part_name(name, "tyre"), wheel.ring(wheel.radius - wheel.tyre, wheel.tyre), tread);
+    if table.has("tyre_paint") {
+        let paint = Paint::Smooth(light::paint(table, "tyre_paint")?);
+        tyre.body = Body { emission: Emission::Painted(paint), brightness: 1.0, ..tyre.body };
+    }
     let mut objects = vec![
-        object(part_name(name, "tyre"), wheel.ring(wheel.radius - wheel.tyre, wheel.tyre), tread),
+        tyre,
         object(part_name(name, "rim"), wheel.ring(wheel.rim_radius, wheel.rim), Pattern::Plain),
         object(part_name(name, "hub"), wheel.hub_tube(), Pattern::Plain),
     ];
@@ -147,7 +153,7 @@ fn part_name(wheel: &str, part: &str) -> String {
 }
 
 impl Wheel {
-    const KEYS: [&str; 21] = [
+    const KEYS: [&str; 19] = [
         "name",
         "hub",
         "radius",
@@ -166,13 +172,11 @@ impl Wheel {
         "rim_speed",
         "tread",
         "valve",
-        "wavelength_nm",
-        "light",
-        "brightness",
+        "tyre_paint",
     ];
 
     fn read(table: &Table) -> Result<Self, Located> {
-        table.check_keys(&Self::KEYS)?;
+        table.check_keys(&[&Self::KEYS[..], &light::KEYS].concat())?;
         let (radius, tyre, rim) =
             (table.needed_size("radius")?, table.needed_size("tyre")?, table.needed_size("rim")?);
         let within = radius - 2.0 * tyre - rim;

@@ -20,7 +20,7 @@ use crate::scene::PRESETS;
 
 /// The sentence about a scene, of every flag that takes one.
 pub const SCENE_HELP: &str = "Scene: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls, post-office, \
-    tunnel, tram) or a scene file";
+    tunnel, tram, mr-tompkins, town, town-cyclist) or a scene file";
 
 /// Everything that is set.
 #[derive(Debug, Clone, PartialEq, Serialize, Args)]

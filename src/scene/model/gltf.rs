@@ -28,6 +28,7 @@ use gltf::{Document, Gltf, Node, Primitive};
 use relativity_core::math;
 use relativity_render::{RawModel, Wrap};
 
+use super::super::light::measured;
 use super::accessor::{COLOURS, INDICES, PLACES, TEXTURE_PLACES, check, data_of};
 use super::limits::check_count;
 use super::parts::{NamedModel, NamedPart};
@@ -252,6 +253,8 @@ impl ModelReader<'_> {
             if is_mirrored { [a, c, b] } else { [a, b, c] }
         }));
         model.texture_numbers.resize(model.triangles.len(), texture);
+        let measured = primitive.material().name().map_or(Ok(None), measured)?;
+        model.materials.resize(model.triangles.len(), measured);
         let corner =
             |corner: [f32; 3]| placed.transform_point3(DVec3::from(corner.map(f64::from))).to_array();
         let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));

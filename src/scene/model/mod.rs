@@ -24,7 +24,8 @@ use relativity_render::{Body, RawModel};
 pub(super) use self::files::ModelFiles;
 use self::parts::NamedModel;
 use super::error::{Located, SceneProblem};
-use super::object::{Object, brightness};
+use super::light::brightness;
+use super::object::Object;
 use super::table::Table;
 use super::wheel::Changes;
 
@@ -143,7 +144,11 @@ fn parsed(
     bytes: &[u8],
     beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
 ) -> Result<NamedModel, String> {
-    if ending == "obj" { obj::model(bytes, beside) } else { gltf::model(bytes, beside) }
+    let mut named = if ending == "obj" { obj::model(bytes, beside) } else { gltf::model(bytes, beside) }?;
+    if named.model.materials.iter().all(Option::is_none) {
+        named.model.materials.clear();
+    }
+    Ok(named)
 }
 
 /// The path of the file called `name` beside that at `path`.

@@ -11,6 +11,7 @@ use relativity_render::colour::srgb_decoded;
 use relativity_render::{RawModel, Wrap};
 use tobj::{LoadError, LoadOptions, MTLLoadResult, Material, Mesh};
 
+use super::super::light::measured;
 use super::lines::{Lines, Problems, text_of};
 use super::parts::{NamedModel, NamedPart};
 use super::textures::Textures;
@@ -116,6 +117,8 @@ fn add(
         }
     }
     model.texture_numbers.resize(model.triangles.len(), texture.unwrap_or(RawModel::NO_TEXTURE));
+    let measured = material.map_or(Ok(None), |material| measured(&material.name))?;
+    model.materials.resize(model.triangles.len(), measured);
     Ok(())
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use relativity_core::Turning;
-use relativity_render::{Body, Emission, Pattern, Shape, Spin};
+use relativity_render::{Body, Emission, Material, Paint, Pattern, Shape, Spin};
 
 use super::error;
 use crate::scene::Scene;
@@ -56,6 +56,16 @@ fn the_cyclists_wheels_are_those_of_the_drawing() {
     };
     assert_eq!(cyclist.bodies[0], Body::new(tyre, 700.0));
     assert!(cyclist.bodies.iter().all(|body| body.spin.is_none()), "the paper's bicycle slides");
+}
+
+#[test]
+fn a_tyre_may_have_paint_of_its_own() {
+    let scene = scene("material = \"white_paint\"\nbrightness = 0.5\ntyre_paint = \"#000000\"");
+    let [tyre, others @ ..] = &scene.bodies[..] else { panic!("it has a tyre") };
+    assert_eq!((tyre.emission, tyre.brightness), (Emission::Painted(Paint::Smooth([0.0; 3])), 1.0));
+    let white = Material::named("white_paint").expect("it was measured");
+    let white = (Emission::Painted(Paint::Measured(white)), 0.5);
+    assert!(others.iter().all(|body| (body.emission, body.brightness) == white));
 }
 
 #[test]
@@ -205,12 +215,13 @@ fn what_is_wrong_with_a_wheel_is_said() {
         ("crossing = nan", "11: crossing = nan must lie between -1e6 and 1e6"),
         (
             "light = \"white\"\nwavelength_nm = 5",
-            "12: wavelength_nm = 5 must be left out where light = \"white\", which has every wavelength",
+            "11: light = \"white\" must be left out where there is `wavelength_nm`: an object has one light",
         ),
         (
             "spoke = 3",
             "11: unknown key `spoke`: a wheel has name, hub, radius, tyre, rim, rim_radius, axle, hub_radius, flange_radius, \
-             flanges, spokes, spoke_radius, crossing, angle, rolls, rim_speed, tread, valve, wavelength_nm, light, brightness",
+             flanges, spokes, spoke_radius, crossing, angle, rolls, rim_speed, tread, valve, tyre_paint, wavelength_nm, light, \
+             material, paint, glow_k, brightness",
         ),
     ] {
         assert_eq!(error(&format!("{}\n", wheel(rest))), format!("balls.toml:{problem}"));

@@ -2,7 +2,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use relativity_render::{RawModel, Shape, Triangles};
+use relativity_render::{Material, RawModel, Shape, Triangles};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -124,6 +124,29 @@ fn an_obj_is_read_with_its_colours_scaled_turned_and_placed() {
     let upright = read("path = \"models/a.obj\"\nname = \"tent\"", &files).expect("it is right");
     assert_eq!((placed(&upright).1, upright.names[0].as_str()), ([0.5, 1.0, 0.5], "tent"));
     assert_ne!(scene.fingerprint(), upright.fingerprint());
+}
+
+#[test]
+fn a_material_may_be_named_as_a_measured_one() {
+    let read = |name: &str| {
+        let mtl = format!("newmtl {name}\nKd 0 1 0\nnewmtl leaves\nKd 0 1 0\n");
+        let obj = format!(
+            "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl {name}\nf 1 2 3\nusemtl leaves\nf 1 3 2\n"
+        );
+        super::parsed("obj", obj.as_bytes(), &|_| Ok(mtl.clone().into_bytes()))
+            .map(|named| named.model.materials)
+    };
+    let road = Material::named("asphalt_road").expect("it was measured");
+    assert_eq!(read("measured asphalt road"), Ok(vec![Some(road), None]));
+    assert_eq!(read("measured asphalt_road"), Ok(vec![Some(road), None]));
+    assert_eq!(read("bark"), Ok(Vec::new()));
+    let problem = "its material `measured leavs` is none: the nearest are leaves, glass, bark";
+    assert_eq!(read("measured leavs"), Err(problem.to_owned()));
+    let mut document = gltf();
+    document["materials"] = json!([{ "name": "measured asphalt road" }]);
+    document["meshes"][0]["primitives"][0]["material"] = json!(0);
+    let model = super::parsed("gltf", document.to_string().as_bytes(), &|_| unreachable!("it needs no file"));
+    assert_eq!(model.map(|named| named.model.materials), Ok(vec![Some(road); 4]));
 }
 
 #[test]
