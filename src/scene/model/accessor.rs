@@ -114,7 +114,7 @@ pub fn read<const N: usize>(
 
 fn number(bytes: &[u8], kind: DataType) -> f32 {
     match (kind, bytes) {
-        (DataType::I8, &[a]) => f32::from(a as i8),
+        (DataType::I8, &[a]) => f32::from(a.cast_signed()),
         (DataType::U8, &[a]) => f32::from(a),
         (DataType::I16, &[a, b]) => f32::from(i16::from_le_bytes([a, b])),
         (DataType::U16, &[a, b]) => f32::from(u16::from_le_bytes([a, b])),

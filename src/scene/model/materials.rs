@@ -140,8 +140,8 @@ fn colour(text: &str) -> Option<[f32; 3]> {
         [grey] => [grey; 3],
         _ => return None,
     };
-    // A number that is none is black.
-    Some(colour.map(|part| part.max(0.0).min(1.0) as f32))
+    // What is no number is black.
+    Some(colour.map(|part| if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) as f32 }))
 }
 
 impl Map {

@@ -47,6 +47,7 @@ pub struct ScreenLight {
 
 impl Light {
     /// Returns the light of `emission`, as `appearance` takes it.
+    #[must_use]
     pub fn new(emission: Emission, appearance: &Appearance) -> Self {
         match (appearance.colour, emission) {
             (Colour::False, _) => Self::Map,
@@ -74,7 +75,7 @@ impl Light {
 
     /// Returns the band in which this light is received at `doppler_factor`: visible, infrared or
     /// ultraviolet.
-    pub fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
+    pub(crate) fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
         let shift = if appearance.doppler_shift { doppler_factor } else { 1.0 };
         match self {
             Self::Line(nm) => Band::from_wavelength(nm / shift),
@@ -86,14 +87,14 @@ impl Light {
     }
 
     /// Returns the colour and the unseen share at `doppler_factor`, for a surface that faces the light.
-    #[cfg(test)]
+    #[must_use]
     pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> ScreenLight {
         self.shown_in_parts(appearance, doppler_factor, &[DaylightPart::OWN], Paint::WHITE)
     }
 
     /// Returns colour and unseen share where daylight is received in these `parts`, the hottest first, on
     /// this `paint` of a model.
-    pub fn shown_in_parts(
+    pub(crate) fn shown_in_parts(
         self,
         appearance: &Appearance,
         doppler_factor: f64,
@@ -163,10 +164,10 @@ impl Light {
 
     /// Returns the light as the shaders read it: see `colour_of` there.
     ///
-    /// Smooth paint that is not grey is the shares of red and green in it, the exponent n of D^n, and log2 of the sum of its
-    /// primaries, exposed. Any other light is one less than the negative of its row in the tables, its place
+    /// Smooth paint that is not grey is the shares of red and green in it, the exponent n of D^n, and log2 of
+    /// the sum of its primaries, exposed. Any other light is one less than the negative of its row in the tables, its place
     /// there at rest, n, and log2 of its exposure. At rest it is linear sRGB, exposed, and the unseen share.
-    pub fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
+    pub(crate) fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
         let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
         let in_row = |row: Row, log2: f64, level: f64| {
             let number = -1.0 - row.number() as f64;

@@ -62,7 +62,7 @@ impl ModelReader<'_> {
         match material.alpha_mode() {
             AlphaMode::Opaque => {}
             AlphaMode::Mask => {
-                self.companions.remark("masks are left out: all of a surface is seen".to_owned())
+                self.companions.remark("masks are left out: all of a surface is seen".to_owned());
             }
             AlphaMode::Blend => self.companions.remark("transparency is left out".to_owned()),
         }
