@@ -33,7 +33,9 @@ fn plate(copies: f32) -> RawModel {
         materials: Vec::new(),
         reversed: Vec::new(),
         paints: vec![[1.0, 0.9, 0.8], [0.6, 1.0, 1.0], [1.0; 3], [0.5, 0.5, 1.0], [1.0; 3]],
-        textures: vec![waves([Wrap::Repeat, Wrap::Mirror]), waves([Wrap::Clamp, Wrap::Repeat])],
+        textures: [waves([Wrap::Repeat, Wrap::Mirror]), waves([Wrap::Clamp, Wrap::Repeat])]
+            .map(|texture| texture.prepared().expect("a texture"))
+            .to_vec(),
         texture_numbers: vec![0, 1, RawModel::NO_TEXTURE, 0],
         texture_places: places.map(|place: [f32; 2]| place.map(|part| part * copies)).to_vec(),
         is_two_sided: true,
