@@ -169,7 +169,8 @@ fn bring_back(cc: &CreationContext<'_>, memory: &Memory) {
     memory.bring_back(&cc.egui_ctx, monitors);
 }
 
-/// Has a first window of this `size`, points, leave room on its screen for its frame and the desktop's panels.
+/// Has a first window of this `size`, points, leave room on its screen for its frame and the desktop's
+/// panels.
 fn fit_on_screen(cc: &CreationContext<'_>, size: [u32; 2]) {
     let Some(monitor) = cc.winit_window().and_then(|window| window.current_monitor()) else { return };
     let screen = monitor.size().to_logical::<f32>(monitor.scale_factor());

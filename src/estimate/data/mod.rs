@@ -140,6 +140,7 @@ impl Data {
             }
             let is_of_units = is_first && header.learn(&row, &mut treatment).with_context(|| place(line))?;
             if is_first {
+                treatment.note_units(header.columns_mut().map(|(name, column)| (name, *column)));
                 said = header.assume(assumed).with_context(|| place(line))?;
             }
             is_first = false;
@@ -161,7 +162,6 @@ impl Data {
             samples.push(sample);
             lines.push(line);
         }
-        treatment.note_units(header.columns_mut().map(|(name, column)| (name, *column)));
         let pairs = baselines.iter().map(Baseline::apertures).collect();
         let observations = Observations::new(pairs, samples).map_err(|error| match error {
             FitError::Sample { index, quantity, value } => {
