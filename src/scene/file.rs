@@ -176,7 +176,9 @@ fn labels(includes: &[Table]) -> Vec<Rc<str>> {
     let preset = |include| Table::string(include, "scene").ok().flatten().unwrap_or_default();
     let presets: Vec<&str> = includes.iter().map(preset).collect();
     let mut counts: HashMap<&str, [usize; 2]> = HashMap::new();
-    presets.iter().for_each(|preset| counts.entry(preset).or_default()[0] += 1);
+    for preset in &presets {
+        counts.entry(preset).or_default()[0] += 1;
+    }
     let label = |preset: &str, [count, number]: &mut [usize; 2]| {
         *number += 1;
         if *count == 1 { preset.into() } else { format!("{preset} {number}").into() }

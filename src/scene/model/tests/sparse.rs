@@ -27,8 +27,8 @@ pub fn moved() -> Value {
 }
 
 fn fingerprint(document: &Value) -> Result<String, String> {
-    let files: [(&str, &[u8]); 1] = [("a.gltf", document.to_string().as_bytes())];
-    read("path = \"a.gltf\"\nup = \"z\"", &files).map(|scene| scene.fingerprint())
+    let text = document.to_string();
+    read("path = \"a.gltf\"\nup = \"z\"", &[("a.gltf", text.as_bytes())]).map(|scene| scene.fingerprint())
 }
 
 #[test]
