@@ -9,6 +9,9 @@ use relativity_core::math;
 /// Sign for a number that does not exist.
 pub const NONE: &str = "–";
 
+/// Space between groups of digits.
+const THIN_SPACE: char = '\u{2009}';
+
 /// `value` with `decimals` digits after the point; in powers of ten, with two, where that would not
 /// fit; a dash if it is not a number.
 #[must_use]
@@ -62,6 +65,16 @@ pub fn beta(speed: &Speed) -> String {
     beta_to(speed, 2.0)
 }
 
+/// Writes like [`beta`], without zeros at the end.
+#[must_use]
+pub fn trimmed_beta(speed: &Speed) -> String {
+    let text = beta(speed);
+    if text.contains('e') {
+        return text;
+    }
+    text.trim_end_matches(['0', THIN_SPACE]).trim_end_matches('.').to_owned()
+}
+
 /// beta at a glance: with as many nines as it takes to see the first digit of 1 - beta.
 #[must_use]
 pub fn short_beta(speed: &Speed) -> String {
@@ -86,7 +99,7 @@ fn grouped(number: &str) -> String {
     };
     let digits: Vec<char> = decimals.chars().collect();
     let groups: Vec<String> = digits.chunks(3).map(|group| group.iter().collect()).collect();
-    format!("{whole}.{}", groups.join("\u{2009}"))
+    format!("{whole}.{}", groups.join(&THIN_SPACE.to_string()))
 }
 
 /// Radians as written beside an angle: degrees with one decimal.
@@ -205,6 +218,9 @@ mod tests {
         assert_eq!(text(0.9999), "0.999\u{2009}900");
         let fast = Speed::from_gamma(1e12).expect("in range");
         assert_eq!(beta(&fast), "1 − 5.00e−25");
+        let trimmed = |beta_value| trimmed_beta(&Speed::from_beta(beta_value).expect("in range"));
+        assert_eq!([0.0, 0.6, 0.93, 0.9999].map(trimmed), ["0", "0.6", "0.93", "0.999\u{2009}9"]);
+        assert_eq!(trimmed_beta(&fast), "1 − 5.00e−25");
     }
 
     #[test]

@@ -20,7 +20,7 @@ use relativity_render::{Colour, Emission, Geometry, View};
 pub use self::light::{RestLight, in_words};
 pub use self::numbers::decimal;
 use self::numbers::distinct_texts;
-pub use self::sentences::beginnings;
+pub use self::sentences::{beginnings, whole_sentences};
 use self::times::ObserverClock;
 pub use self::unseen::notice;
 use crate::scene::Track;

@@ -7,9 +7,11 @@ use anyhow::Context as _;
 use clap::Args;
 use gamow_platform::interrupt::Noted;
 use gamow_platform::{clock, messages, progress};
-use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
+use relativity_core::{Curves, DEFAULT_REPLICATES, FitError, FitOptions, Model, Passage};
 
 use crate::estimate::FitReport;
+use crate::estimate::cause;
+use crate::estimate::correction::Correction;
 use crate::estimate::data::{Data, Eyes, SEPARATION, is_separation};
 use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
@@ -64,6 +66,8 @@ pub struct FitArgs {
     /// contracted.
     #[arg(long, conflicts_with = "wheel_radius")]
     riding: bool,
+    #[command(flatten, next_help_heading = "Readings that were written down in another way")]
+    correction: Correction,
     #[command(flatten, next_help_heading = "A point on a wheel that rolls")]
     wheel: WheelArgs,
     #[command(flatten)]
@@ -73,8 +77,10 @@ pub struct FitArgs {
 const HELP: &str = "\
 The point is in front of the eyes (y > 0). dphi alone tells the magnitude of z; dtheta tells its sign too.
 
-Uncertainties are standard errors over the bootstrap replicates, and the intervals hold 95 % of them; `linear` is \
-the standard error from the covariance at the best fit. With both curves, the joint fit is the best use of the data; \
+Uncertainties are standard errors over the bootstrap replicates. The 95 % intervals lie about the best fit as the \
+replicates do, and are at least as wide as a standard error that counts readings of much weight rightly, by Student's t; \
+`linear` is the standard error from the covariance at the best fit. Where the residuals follow one another (Durbin and \
+Watson's test, wrong for 1 in 1,000 fits of good readings), no uncertainty follows: the fit says so, and looks for the cause. With both curves, the joint fit is the best use of the data; \
 the paper's weighted mean of the two fits stands beside it, with their correlation accounted for.
 
 A point of a wheel that rolls is fitted by where on its wheel it is, which has to be known (--wheel-radius, --rho, --angle): y, \
@@ -93,7 +99,7 @@ fn separation(text: &str) -> Result<f64, String> {
     if is_separation(value) { Ok(value) } else { Err(format!("must be {SEPARATION}")) }
 }
 
-/// The most replicates: each takes 40 bytes, in each of three fits.
+/// The most replicates: each takes 56 bytes, in each of three fits.
 const MOST_REPLICATES: usize = 10_000_000;
 /// Duration, seconds, from which on that of the bootstrap is remarked on, and after which it can be
 /// estimated.
@@ -130,14 +136,54 @@ impl FitArgs {
         if self.riding && matches!(self.model, Model::Published(_)) {
             anyhow::bail!("--riding: the model {} has both eyes at rest", self.model.name());
         }
-        let data = Data::read(name, input, eyes)?;
+        let data = Data::read(name, input, eyes, self.correction.units())?;
+        let corrected = self.correction.applied(data.observations.clone());
+        let observations = corrected.with_context(|| name.to_owned())?;
         let curves = data.curves(self.curves);
         let passage = if self.fit_x0 { Passage::Fitted } else { Passage::Known(self.x0) };
         let options = FitOptions { model: self.model, curves, passage, rolling: self.wheel.rolling() };
         let wanted = self.bootstrap;
-        let fitted = FitReport::while_wanted(&data.observations, &options, wanted, self.seed, is_wanted);
-        let fitted = fitted.with_context(|| name.to_owned())?;
-        Ok(FitReport { riding: self.riding, data: data.treatment, ..fitted })
+        let fitted = FitReport::while_wanted(&observations, &options, wanted, self.seed, is_wanted);
+        let cause = |failed| {
+            let cause = cause::find(&observations, &options, failed, data.said)?;
+            let given = self.file.as_ref().filter(|file| file.as_os_str() != "-");
+            let file = given.map_or("-", |_| name);
+            Some(cause.told(file, &self.given_flags()))
+        };
+        match fitted {
+            Ok(mut report) => {
+                if self.correction.shift_dtheta.is_none() {
+                    report
+                        .outliers
+                        .iter_mut()
+                        .for_each(|found| found.line = data.lines.get(found.sample).copied());
+                }
+                let cause = report.warning.is_some().then(|| cause(Some(report.fit.rms))).flatten();
+                Ok(FitReport { riding: self.riding, data: data.treatment, cause, ..report })
+            }
+            Err(error) => {
+                let is_of_data = matches!(
+                    error,
+                    FitError::Unexplained { .. }
+                        | FitError::Indistinguishable { .. }
+                        | FitError::NotConverged(_)
+                );
+                let cause = if is_of_data { cause(None) } else { None };
+                let told = cause.map_or_else(String::new, |cause| format!("; {cause}"));
+                Err(anyhow::anyhow!("{name}: {error}{told}"))
+            }
+        }
+    }
+
+    /// The flags that are given beside those of the fit's options, a blank before each.
+    fn given_flags(&self) -> String {
+        let flag = |name: &str, value: Option<f64>| {
+            value.map_or_else(String::new, |value| format!(" --{name}={value}"))
+        };
+        let [roll, turn] = self.head.degrees();
+        let riding = if self.riding { " --riding" } else { "" };
+        let eyes = [flag("d", self.d), flag("roll", roll), flag("turn", turn)].concat();
+        format!("{eyes}{riding}{}", self.correction.flags())
     }
 
     /// Runs the fit with the replicates that are drawn until an interrupt.

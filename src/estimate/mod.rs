@@ -1,8 +1,12 @@
 //! The report of `gamow fit`: one structure, written as JSON or as a table; and its data, [`data`] from files
 //! and [`samples`] of a point.
 
+pub mod cause;
+mod command;
+pub mod correction;
 pub mod data;
 pub mod other_side;
+pub mod outliers;
 pub mod residuals;
 pub mod samples;
 pub mod sigmas;
@@ -14,6 +18,7 @@ use relativity_core::{
 use serde::{Deserialize, Serialize};
 
 use crate::number_text;
+use outliers::Outlier;
 use residuals::Residuals;
 
 /// The fit, and with both curves also the fit of each and their weighted mean.
@@ -42,6 +47,12 @@ pub struct FitReport {
     /// Warning that the fit cannot be right, as residuals follow one another.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub warning: Option<String>,
+    /// What may be wrong, if something explains the readings, with the command that takes it into account.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cause: Option<String>,
+    /// Readings that stand out.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub outliers: Vec<Outlier>,
     /// The bootstrap behind the uncertainties.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<BootstrapSummary>,
@@ -256,6 +267,7 @@ impl FitReport {
             (Some(azimuth), Some(polar)) => Fits::new(azimuth, polar),
             _ => Fits::default(),
         };
+        let outliers = outliers::find(&joint.0, observations);
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
         let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
@@ -271,6 +283,8 @@ impl FitReport {
             model,
             data: None,
             warning,
+            cause: None,
+            outliers,
             converged: true,
             riding: false,
             wheel,

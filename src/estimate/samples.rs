@@ -13,10 +13,10 @@ use relativity_core::{
 use relativity_render::Velocity;
 use serde::{Deserialize, Serialize};
 
-use super::data::{Data, Eyes};
+use super::command::command;
+use super::data::{AssumedUnits, Data, Eyes};
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::CsvWriter;
-use crate::flags::words::Shell;
 use crate::scene::{Scene, Track};
 use crate::settings::{FitSettings, Settings, message};
 use crate::time_range::time_within;
@@ -210,7 +210,8 @@ impl DataFile {
     }
 
     fn data(&self, baseline: Baseline) -> anyhow::Result<Data> {
-        Data::read(&self.place, self.bytes.as_slice(), Eyes::unless_told(baseline))
+        let eyes = Eyes::unless_told(baseline);
+        Data::read(&self.place, self.bytes.as_slice(), eyes, AssumedUnits::default())
     }
 }
 
@@ -221,25 +222,15 @@ pub struct Fittable {
     pub observations: Observations,
     /// Model, curves and known parameters of the fit.
     pub options: FitOptions,
+    /// Units that a file says its readings are in.
+    pub said: AssumedUnits,
 }
 
 impl Fittable {
     /// The command that fits the same samples in a file.
     #[must_use]
     pub fn command(&self, file: &str) -> String {
-        let FitOptions { model, curves, passage, rolling } = self.options;
-        let passage = match passage {
-            Passage::Fitted => " --fit-x0".to_owned(),
-            Passage::Known(0.0) => String::new(),
-            Passage::Known(x0) => format!(" --x0={x0}"),
-        };
-        let model =
-            if model == Model::default() { String::new() } else { format!(" --model {}", model.name()) };
-        let used = if curves == Curves::Both { String::new() } else { format!(" --use {}", curves.name()) };
-        let wheel = rolling.map_or_else(String::new, |Rolling { radius, rho, angle }| {
-            format!(" --wheel-radius {radius} --rho {rho} --angle={angle}")
-        });
-        format!("gamow fit {}{passage}{model}{used}{wheel}", Shell::here().file(file))
+        command(file, &self.options)
     }
 }
 
@@ -259,11 +250,13 @@ impl FitKey {
             Samples::Simulated(simulated) => Ok(Fittable {
                 observations: simulated.observations(&self.setup, noise_percent)?,
                 options: options(curves, simulated.source.place().x0, simulated.rolling()),
+                said: AssumedUnits::default(),
             }),
             Samples::Measured(file, baseline) => {
                 let data = file.data(*baseline).map_err(|error| format!("{error:#}"))?;
                 let curves = data.curves(Some(curves).filter(|curves| *curves != Curves::Both));
-                Ok(Fittable { observations: data.observations, options: options(curves, 0.0, None) })
+                let (observations, said) = (data.observations, data.said);
+                Ok(Fittable { observations, options: options(curves, 0.0, None), said })
             }
         }
     }

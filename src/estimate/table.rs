@@ -4,7 +4,7 @@ use std::fmt;
 
 use relativity_core::Parameter;
 
-use super::{Attempt, BootstrapSummary, CurvesFit, Estimate, FitReport, WheelPlace};
+use super::{Attempt, BootstrapSummary, CurvesFit, Estimate, FitReport, WheelPlace, outliers};
 use crate::number_text;
 
 /// Difference of the estimates of both curves, in standard errors, beyond which it is remarked on.
@@ -35,6 +35,12 @@ impl fmt::Display for FitReport {
         }
         if let Some(warning) = &self.warning {
             writeln!(f, "warning    {warning}")?;
+        }
+        if let Some(cause) = &self.cause {
+            writeln!(f, "cause      {cause}")?;
+        }
+        if let Some(remark) = outliers::remark(&self.outliers) {
+            writeln!(f, "outliers   {remark}")?;
         }
         write!(f, "{}", self.fit)?;
         for (name, attempt) in [("dphi", &self.fits.dphi), ("dtheta", &self.fits.dtheta)] {

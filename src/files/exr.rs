@@ -136,8 +136,8 @@ impl Channel {
             Self::Triangle => same("triangle", NO_TRIANGLE, |hit, _| {
                 hit.triangle.map_or(NO_TRIANGLE.into(), |point| f64::from(point.triangle))
             }),
-            Self::TriangleB => same("triangle_b", 0.0, |hit, _| triangle_weight(hit, 0)),
-            Self::TriangleC => same("triangle_c", 0.0, |hit, _| triangle_weight(hit, 1)),
+            Self::TriangleB => same("triangle_b", 0.0, |hit, light| triangle_weight(hit, light, 0)),
+            Self::TriangleC => same("triangle_c", 0.0, |hit, light| triangle_weight(hit, light, 1)),
         }
     }
 
@@ -185,9 +185,11 @@ fn material_angle(hit: &Hit, light: &ChannelLight<'_>) -> f64 {
     spin.map_or(f64::from(NO_ANGLE), |spin| spin.angle(hit.material_position))
 }
 
-/// Returns the weight of a triangle's second corner, or of its third: `corner` is 0 or 1.
-fn triangle_weight(hit: &Hit, corner: usize) -> f64 {
-    hit.triangle.map_or(0.0, |point| f64::from(point.weights[corner]))
+/// Returns the weight of a triangle's second corner in its file, or of its third: `corner` is 0 or 1.
+fn triangle_weight(hit: &Hit, light: &ChannelLight<'_>, corner: usize) -> f64 {
+    let triangles = light.scene.bodies()[hit.body].triangles.as_ref();
+    let weights = hit.triangle.zip(triangles).map(|(point, triangles)| triangles.weights_in_file(point));
+    weights.map_or(0.0, |weights| f64::from(weights[corner]))
 }
 
 /// Returns `value` as files store it: beyond f32 its largest number.

@@ -60,6 +60,7 @@ code { font-size: 9.5pt; overflow-wrap: anywhere; }
 .sheet .question { margin: 0.3em 0; }
 .sheet .question h3 + p { margin-top: 0; }
 .sheet .opening { overflow: hidden; }
+.sheet .closing { break-before: avoid; }
 .sheet .choices { columns: 2; }
 .sheet .choices p { margin: 0 0 0.15em; break-inside: avoid; }
 .sheet .answer-lines { margin: 0 0 0.4em; }

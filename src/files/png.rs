@@ -141,7 +141,7 @@ impl<W: Write> PngWriter<W> {
 
 /// The pixels of an opaque picture.
 #[must_use]
-pub(super) fn rgb(picture: &Picture) -> Vec<u8> {
+fn rgb(picture: &Picture) -> Vec<u8> {
     picture.rgba.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect()
 }
 

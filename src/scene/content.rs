@@ -7,6 +7,7 @@ use gamow_platform::messages;
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 use serde::{Deserialize, Serialize};
 
+use super::model::ModelReport;
 use super::similar::{NEAREST, nearest};
 use super::table::coincide;
 
@@ -41,6 +42,8 @@ pub struct Scene {
     /// The street on it, along x, in place of a grid: y of the near and of the far kerb of its road, and of
     /// the house fronts beyond.
     pub street: Option<[f64; 3]>,
+    /// The models that were read from files.
+    pub models: Vec<ModelReport>,
 }
 
 /// Bodies that move alike.
@@ -55,6 +58,13 @@ pub struct SceneGroup {
     pub first: usize,
     /// Number of the scene group's bodies.
     pub count: usize,
+}
+
+impl Scene {
+    /// Returns what is to be said about the models of the scene, a line each.
+    pub fn remarks(&self) -> impl Iterator<Item = String> {
+        self.models.iter().filter_map(ModelReport::remarks)
+    }
 }
 
 impl SceneGroup {

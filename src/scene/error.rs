@@ -30,6 +30,12 @@ pub enum SceneError {
         /// Reason why the model cannot be read.
         reason: String,
     },
+    /// A file that is neither a scene nor a model, by its contents and its ending.
+    #[error("{source_name} is no scene: scenes end in .toml, models end in .glb, .gltf or .obj")]
+    Other {
+        /// The file, as it was named.
+        source_name: String,
+    },
     /// A file with wrong contents.
     #[error("{source_name}:{line}: {problem}")]
     Content {

@@ -1,5 +1,6 @@
 //! The scene format: what each table of a scene file means.
 
+use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
 use std::sync::OnceLock;
@@ -10,7 +11,7 @@ use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, SceneProblem};
-use super::model::{ModelFiles, model, ridden};
+use super::model::{ModelFiles, Models, model, ridden};
 use super::names;
 use super::object::{Object, object};
 use super::presets::{self, PRESETS};
@@ -40,7 +41,9 @@ pub(super) fn scene_of_model(path: &Path) -> Result<Scene, String> {
 }
 
 /// The scene that a file's text describes, with these changes to its wheels.
-fn changed_scene(text: &str, changes: Changes, models: ModelFiles<'_>) -> Result<Scene, Located> {
+fn changed_scene(text: &str, changes: Changes, files: ModelFiles<'_>) -> Result<Scene, Located> {
+    let reports = RefCell::default();
+    let models = Models { files, reports: &reports };
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene", models };
     top.check_keys(&[
@@ -61,7 +64,8 @@ fn changed_scene(text: &str, changes: Changes, models: ModelFiles<'_>) -> Result
         return Err(Located { span: top.span, problem: SceneProblem::Empty });
     };
     let tracked = tracked.unwrap_or(forward_most);
-    Ok(Scene { name, bodies, names, groups, tracked, rider, metres, ground_z, street })
+    let models = reports.take();
+    Ok(Scene { name, bodies, names, groups, tracked, rider, metres, ground_z, street, models })
 }
 
 /// The kerbs of the road on the ground and the house fronts beyond, from the nearest on.

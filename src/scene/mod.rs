@@ -18,6 +18,7 @@ mod table;
 mod tests;
 mod wheel;
 
+use std::io;
 use std::path::Path;
 
 use gamow_platform::files;
@@ -25,7 +26,7 @@ use gamow_platform::files;
 pub use content::{Scene, SceneGroup, Track};
 pub use error::{SceneError, SceneProblem};
 pub use model::ridden::text as scene_text;
-pub use model::{is_model, read_model};
+pub use model::{ModelReport, is_model, read_model};
 pub use presets::{PRESETS, looks_like_a_name};
 pub use similar::nearest;
 
@@ -51,9 +52,18 @@ impl Scene {
         if is_model(path) {
             return file::scene_of_model(path).map_err(|reason| SceneError::Model { source_name, reason });
         }
+        let no_scene =
+            |path: &Path| path.extension().is_some_and(|ending| !ending.eq_ignore_ascii_case("toml"));
         match files::read_to_string(path) {
-            Ok(text) => file::scene_in(&text, files::folder_of(path))
-                .map_err(|located| located.in_source(&text, &source_name)),
+            Ok(text) => {
+                file::scene_in(&text, files::folder_of(path)).map_err(|located| match located.problem {
+                    SceneProblem::Syntax { .. } if no_scene(path) => SceneError::Other { source_name },
+                    _ => located.in_source(&text, &source_name),
+                })
+            }
+            Err(reason) if reason.kind() == io::ErrorKind::InvalidData && no_scene(path) => {
+                Err(SceneError::Other { source_name })
+            }
             Err(reason) => Err(SceneError::Read { source_name, reason }),
         }
     }

@@ -8,7 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{Located, SceneProblem};
-use super::model::ModelFiles;
+use super::model::Models;
 use crate::files::syntax::british;
 
 /// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
@@ -30,8 +30,8 @@ pub(super) struct Table<'a> {
     pub span: Range<usize>,
     /// Description of the table's object, with its article.
     pub owner: &'static str,
-    /// Files of the models in it.
-    pub models: ModelFiles<'a>,
+    /// The models in it.
+    pub models: Models<'a>,
 }
 
 impl<'a> Table<'a> {

@@ -116,6 +116,17 @@ impl Settings {
         }
     }
 
+    /// Compares what a rider sees with what is seen standing there, or no longer.
+    pub(crate) fn compare_standing(&mut self) {
+        if self.look.compare == Compare::Standing {
+            self.look.compare = Compare::Off;
+            self.picture.layout = Layout::Left;
+        } else if self.ride.is_on() {
+            self.look.compare = Compare::Off;
+            self.compare_next();
+        }
+    }
+
     /// The settings of the second picture of one eye, as if it were alone but for what both have in common:
     /// `None` where there is no such picture.
     pub(super) fn second(&self) -> Option<Self> {
@@ -245,6 +256,11 @@ mod tests {
         assert_eq!((settings.look.compare, settings.picture.layout), (Compare::Standing, Layout::SideBySide));
         while !settings.look.compare.is_off() {
             settings.compare_next();
+        }
+        assert_eq!(settings.picture.layout, Layout::Left);
+        for expected in [Compare::Standing, Compare::Off] {
+            settings.compare_standing();
+            assert_eq!(settings.look.compare, expected);
         }
         assert_eq!(settings.picture.layout, Layout::Left);
     }

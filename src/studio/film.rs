@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
-use gamow_platform::files;
+use gamow_platform::{files, threads};
 use relativity_render::Picture;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -21,10 +21,12 @@ use crate::time_range::time_within;
 
 /// Frames a second: a whole number of hundredths of a second each, as a GIF needs.
 pub const FRAMES_PER_SECOND: u16 = 25;
-/// Bytes of a GIF per pixel of its frames, about: 0.18 to 0.31 for the presets; and those of the colours of
-/// each frame.
-const GIF_BYTES_PER_PIXEL: f64 = 0.22;
-const GIF_BYTES_PER_FRAME: f64 = 3.0 * 256.0;
+/// Bytes of a GIF per pixel of its frames, about: 0.08 to 0.19 for the presets.
+const GIF_BYTES_PER_PIXEL: f64 = 0.13;
+/// Number of frames at most by which the colours of a GIF are chosen, and of how many pixels in a row one is
+/// drawn for that.
+const SAMPLED_FRAMES: usize = 20;
+const SAMPLED_PIXELS: u32 = 3;
 /// Number of frames for which each of two alternating pictures is shown: no faster than flashes may be shown
 /// to everybody.
 const FRAMES_PER_TURN: usize = 5;
@@ -32,7 +34,7 @@ const FRAMES_PER_TURN: usize = 5;
 /// The kind of a film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FilmKind {
-    /// An animated GIF, of 256 colours a frame.
+    /// An animated GIF, of 255 colours.
     Gif,
     /// An animated picture (PNG).
     Png,
@@ -117,7 +119,7 @@ impl FilmKind {
 /// Returns about how many bytes a GIF of so many `frames` will have, each of this many `pixels`.
 #[must_use]
 pub fn expected_gif_bytes(frames: u32, pixels: f64) -> f64 {
-    f64::from(frames) * (GIF_BYTES_PER_FRAME + GIF_BYTES_PER_PIXEL * pixels)
+    f64::from(frames) * GIF_BYTES_PER_PIXEL * pixels
 }
 
 /// Returns the number of frames of a film in which T runs through `range` once, at `rate` units a second; 2
@@ -146,25 +148,26 @@ enum AnimationFile<W: Write> {
 }
 
 impl<W: Write> AnimationFile<W> {
-    /// Begins a film of `frames` frames of this `size`, whose provenance is `record`.
+    /// Begins a film of `frames` frames of this `size`, whose provenance is `record`: a GIF if it has a
+    /// `palette`.
     fn new(
-        kind: FilmKind,
+        palette: Option<gif::Palette>,
         size: [u32; 2],
         frames: usize,
         record: &Provenance,
         out: W,
     ) -> anyhow::Result<Self> {
-        if kind == FilmKind::Gif {
-            return Ok(Self::Gif(gif::GifWriter::new(size, 100 / FRAMES_PER_SECOND, out)?));
+        if let Some(palette) = palette {
+            return Ok(Self::Gif(gif::GifWriter::new(size, 100 / FRAMES_PER_SECOND, palette, out)?));
         }
         let animation = AnimationTiming { frames: u32::try_from(frames)?, seconds: [1, FRAMES_PER_SECOND] };
         Ok(Self::Png(png::PngWriter::new(size, Some(animation), None, &record.texts(), out)?))
     }
 
-    fn write(&mut self, frame: &Picture) -> anyhow::Result<()> {
+    fn write(&mut self, frames: &[Picture]) -> anyhow::Result<()> {
         match self {
-            Self::Gif(film) => film.write(frame),
-            Self::Png(film) => film.write(frame),
+            Self::Gif(film) => film.write(frames),
+            Self::Png(film) => frames.iter().try_for_each(|frame| film.write(frame)),
         }
     }
 
@@ -208,20 +211,41 @@ impl Studio {
             return Ok(bytes.get());
         }
         let (&first, rest) = times.split_first().context("there is nothing to show")?;
+        let palette = if kind == FilmKind::Gif { Some(self.palette(times)?) } else { None };
         write_whole(path, |file| {
             let frame = next(self, 0, first)?;
+            let record = self.provenance(&frame, path);
             let picture = self.shown_in_film(&frame, 0)?;
             let out = Counted { out: file, bytes: &bytes };
-            let record = self.provenance(&frame, path);
-            let mut film = AnimationFile::new(kind, picture.size, times.len(), &record, out)?;
-            film.write(&picture)?;
+            let mut film = AnimationFile::new(palette, picture.size, times.len(), &record, out)?;
+            let mut drawn = vec![picture];
             for (number, &time) in (1..).zip(rest) {
+                // As many at once as there are threads to encode them.
+                if drawn.len() >= threads::count() {
+                    film.write(&drawn)?;
+                    drawn.clear();
+                }
                 let frame = next(self, number, time)?;
-                film.write(&self.shown_in_film(&frame, number)?)?;
+                drawn.push(self.shown_in_film(&frame, number)?);
             }
+            film.write(&drawn)?;
             film.finish()
         })?;
         Ok(bytes.get())
+    }
+
+    /// The colours of a film of the frames at these `times`, from a few of them, drawn small.
+    fn palette(&mut self, times: &[f64]) -> anyhow::Result<gif::Palette> {
+        let step = times.len().div_ceil(SAMPLED_FRAMES);
+        let samples = (0..).zip(times).step_by(step);
+        let small = |(number, &time)| {
+            let mut frame = self.frame(Some(time))?;
+            let size = &mut frame.settings.picture.size.0;
+            *size = size.map(|side| side.div_ceil(SAMPLED_PIXELS));
+            self.shown_in_film(&frame, number)
+        };
+        let samples = samples.map(small).collect::<anyhow::Result<Vec<_>>>()?;
+        Ok(gif::Palette::new(&samples))
     }
 
     /// Draws the frame of this number: where the eyes take turns, the picture of one of them.

@@ -77,6 +77,12 @@ impl Studio {
         &self.settings
     }
 
+    /// Returns the scene that is drawn.
+    #[must_use]
+    pub const fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
     /// The point that is tracked.
     #[must_use]
     pub const fn tracked(&self) -> Track {

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread;
 
+mod causes;
 mod data_files;
 mod errors;
 mod fit;
@@ -17,6 +18,7 @@ mod help;
 mod irregular;
 mod lessons;
 mod numbers;
+mod outliers;
 mod pages;
 mod paper;
 mod quiet;

@@ -68,9 +68,9 @@ fn the_second_picture_is_that_of_its_geometry_by_itself() {
         assert!((place.size() - second.size()).abs().max_elem() < 0.5, "{place:?} {second:?}");
         let [seen, in_it, by_itself] =
             [pixels(&mut both, first), pixels(&mut both, second), pixels(&mut alone, place)];
-        // Edges of what is painted are rounded as their place on the screen has it, by a level or two: beside
+        // Edges of what is painted are rounded as their place on the screen has it, by a level: beside
         // the marker's nothing else differs.
-        let differ = |(a, b): (&[u8; 4], &[u8; 4])| (0..4).any(|i| a[i].abs_diff(b[i]) > 2);
+        let differ = |(a, b): (&[u8; 4], &[u8; 4])| (0..4).any(|i| a[i].abs_diff(b[i]) > 1);
         let width = in_it.len() / (place.height() as usize - 6);
         let marker = marker(&alone, place) - vec2(3.0, 3.0);
         for (i, _) in in_it.iter().zip(&by_itself).enumerate().filter(|(_, both)| differ(*both)) {

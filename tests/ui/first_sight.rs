@@ -1,7 +1,7 @@
 //! The first window: how large its pictures are, and how many controls and numbers it begins with.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Rect, Shape, pos2};
+use eframe::egui::{Key, Rect, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::commands::SettingsCommand;
@@ -12,7 +12,7 @@ use gamow::settings::{PlotTab, Settings};
 
 use super::Test;
 use super::controls::controls;
-use super::support::{labels, pane, window_of_size};
+use super::support::{PaintedText, labels, painted_texts, pane, window_of_size};
 
 pub const TESTS: &[Test] = trials![
     the_pictures_have_half_of_the_height_at_first_sight,
@@ -41,25 +41,10 @@ fn the_pictures_have_half_of_the_height_at_first_sight() {
     }
 }
 
-/// Returns every text that is drawn, with its place.
+/// Returns every text in sight, with its place.
 fn texts(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
-    fn add(shape: &Shape, clip: Rect, texts: &mut Vec<(String, Rect)>) {
-        match shape {
-            Shape::Vec(shapes) => shapes.iter().for_each(|shape| add(shape, clip, texts)),
-            Shape::Text(text) => {
-                let rect = text.visual_bounding_rect();
-                if text.opacity_factor > 0.0 && clip.intersects(rect) {
-                    texts.push((text.galley.text().to_owned(), rect));
-                }
-            }
-            _ => {}
-        }
-    }
-    let mut texts = Vec::new();
-    for clipped in &window.output().shapes {
-        add(&clipped.shape, clipped.clip_rect, &mut texts);
-    }
-    texts
+    let texts = painted_texts(window).into_iter().filter(PaintedText::is_in_sight);
+    texts.map(|text| (text.shape.galley.text().to_owned(), text.shape.visual_bounding_rect())).collect()
 }
 
 /// Returns the numbers in a text; a power of ten belongs to the unit of an axis.
@@ -124,15 +109,6 @@ fn a_speed_is_fitted_by_the_button_beside_the_plot() {
 }
 
 fn there_are_three_sizes_of_writing() {
-    fn add(shape: &Shape, sizes: &mut Vec<f32>) {
-        match shape {
-            Shape::Vec(shapes) => shapes.iter().for_each(|shape| add(shape, sizes)),
-            Shape::Text(text) => {
-                sizes.extend(text.galley.job.sections.iter().map(|section| section.format.font_id.size));
-            }
-            _ => {}
-        }
-    }
     let mut windows = vec![first_window([1280.0, 800.0])];
     windows.extend(["disparity", "angles", "doppler", "stereo", "fit", "accuracy"].map(|tab| {
         let mut state = State::open(Settings::default()).expect("the street");
@@ -141,10 +117,9 @@ fn there_are_three_sizes_of_writing() {
         }
         window_of_size(state, [1920.0, 1080.0], 1.0)
     }));
-    let mut sizes = Vec::new();
-    for window in &windows {
-        window.output().shapes.iter().for_each(|clipped| add(&clipped.shape, &mut sizes));
-    }
+    let texts = windows.iter().flat_map(painted_texts);
+    let sections = texts.flat_map(|text| text.shape.galley.job.sections.clone());
+    let mut sizes: Vec<f32> = sections.map(|section| section.format.font_id.size).collect();
     sizes.sort_by(f32::total_cmp);
     sizes.dedup();
     assert!(sizes.len() <= 3 && sizes[0] >= 12.0, "{sizes:?}");

@@ -41,6 +41,7 @@ mod random_user;
 mod ready;
 mod riding;
 mod saving;
+mod screens;
 mod sequence;
 mod slide;
 mod spacetime;
@@ -96,6 +97,7 @@ fn main() -> ExitCode {
         ready::TESTS,
         riding::TESTS,
         saving::TESTS,
+        screens::TESTS,
         sequence::TESTS,
         slide::TESTS,
         spacetime::TESTS,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::ValueEnum as _;
-use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Shape, Vec2, pos2, vec2};
+use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::commands::{PlaybackCommand, PointsCommand, SettingsCommand, ShowCommand, WindowCommand};
@@ -15,7 +15,8 @@ use gamow::settings::PlotTab;
 use super::Test;
 use super::picking::{FRONT_TYRE, click};
 use super::support::{
-    FRAME, cyclist, label_starting_with, labels, open, pane, slider, wide_window, window, window_of_size,
+    FRAME, cyclist, label_starting_with, labels, open, painted_texts, pane, slider, wide_window, window,
+    window_of_size,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -383,18 +384,6 @@ fn no_tooltip_covers_what_was_dragged() {
     assert!(is_told(&window));
 }
 
-/// The sizes of all that is written in the last frame.
-fn written(shape: &Shape, sizes: &mut Vec<(f32, String)>) {
-    match shape {
-        Shape::Vec(shapes) => shapes.iter().for_each(|shape| written(shape, sizes)),
-        Shape::Text(text) => {
-            let job = &text.galley.job;
-            sizes.extend(job.sections.iter().map(|section| (section.format.font_id.size, job.text.clone())));
-        }
-        _ => {}
-    }
-}
-
 fn no_writing_in_the_window_is_smaller_than_eleven_points() {
     for size in [[800.0, 600.0], [1280.0, 800.0]] {
         for present in [false, true] {
@@ -409,11 +398,12 @@ fn no_writing_in_the_window_is_smaller_than_eleven_points() {
                     gamow::settings::PlotSettings { plot, ..window.state().state().document.settings.plots };
                 window.state_mut().run(SettingsCommand::Plots(plots));
                 window.run_ok();
-                let mut sizes = Vec::new();
-                for clipped in &window.output().shapes {
-                    written(&clipped.shape, &mut sizes);
-                }
-                assert!(sizes.len() > if present { 2 } else { 5 }, "{size:?} {plot:?}");
+                let sizes: Vec<(f32, String)> = painted_texts(&window)
+                    .iter()
+                    .map(|text| &text.shape.galley.job)
+                    .flat_map(|job| job.sections.iter().map(|of| (of.format.font_id.size, job.text.clone())))
+                    .collect();
+                assert!(sizes.len() > 5, "{size:?} {plot:?}");
                 let small = sizes.iter().find(|(size, _)| *size < 11.0);
                 assert_eq!(small, None, "{size:?} {plot:?}");
             }

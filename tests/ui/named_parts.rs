@@ -7,7 +7,6 @@
 
 use std::collections::BTreeMap;
 
-use eframe::egui::{Rect, Shape, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
 use gamow::app::commands::WindowCommand;
@@ -16,6 +15,7 @@ use gamow::lesson::{AnswerKind, Course, Library, Phase};
 
 use super::Test;
 use super::lessons::{course, walk, window};
+use super::support::{PaintedText, painted_texts};
 
 pub const TESTS: &[Test] = trials![
     the_window_shows_what_a_lesson_names,
@@ -35,10 +35,15 @@ struct Screen {
 impl Screen {
     fn of(window: &Harness<'_, App>) -> Self {
         let area = window.ctx.content_rect();
-        let mut painted = Vec::new();
-        for clipped in &window.output().shapes {
-            texts(&clipped.shape, clipped.clip_rect.intersect(area), &mut painted);
-        }
+        // As far as they are written out, with their middle in sight.
+        let is_shown = |text: &PaintedText| {
+            let middle = text.shape.pos + text.shape.galley.rect.center().to_vec2();
+            text.clip.intersect(area).contains(middle)
+        };
+        let texts = painted_texts(window).into_iter().filter(is_shown);
+        let painted =
+            texts.flat_map(|text| text.shape.galley.rows.iter().map(|row| row.text()).collect::<Vec<_>>());
+        let painted = painted.collect();
         let named = window.root().children_recursive().filter_map(|node| {
             let name = node.accesskit_node().label().or_else(|| node.accesskit_node().value())?;
             area.intersects(node.rect()).then_some(name)
@@ -53,20 +58,6 @@ impl Screen {
 
     fn names(&self, is_meant: impl Fn(&str) -> bool) -> usize {
         self.named.iter().filter(|name| is_meant(name)).count()
-    }
-}
-
-/// Collects the texts of `shape` whose middle is within `clip`, as far as they are written out.
-fn texts(shape: &Shape, clip: Rect, found: &mut Vec<String>) {
-    match shape {
-        Shape::Vec(shapes) => shapes.iter().for_each(|shape| texts(shape, clip, found)),
-        Shape::Text(text) => {
-            let middle = text.pos + text.galley.rect.center().to_vec2();
-            if clip.contains(pos2(middle.x, middle.y)) {
-                found.extend(text.galley.rows.iter().map(|row| row.text()));
-            }
-        }
-        _ => {}
     }
 }
 

@@ -1,7 +1,7 @@
 //! What is predicted with the mouse: curves that are drawn, places that are clicked; and the report of it
 //! all.
 
-use eframe::egui::{Pos2, Rect, pos2, vec2};
+use eframe::egui::{Event, Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::commands::{Command, PlaybackCommand, WindowCommand};
@@ -20,6 +20,7 @@ use super::support::{drag, label_starting_with, labels, pane, seen, type_into, w
 
 pub const TESTS: &[Test] = trials![
     a_number_that_is_none_stays_where_it_was_typed,
+    a_letter_that_no_number_contains_is_a_command_in_the_field_of_one,
     a_drawn_curve_is_recorded_where_the_mouse_was,
     nothing_of_the_true_curve_is_shown_before_the_reveal,
     a_drawn_curve_is_compared_with_the_core,
@@ -138,12 +139,54 @@ fn ask(window: &mut Harness<'_, App>, command: LessonCommand) {
     window.run_ok();
 }
 
-fn a_number_that_is_none_stays_where_it_was_typed() {
+/// A window with a lesson that asks for a number.
+fn asked_for_a_number() -> Harness<'static, App> {
     let text = "---\ntitle: Asked\n---\n\n## One\n\n### Predict\n\nHow much?\n\n```number\ntruth = \"gamma\"\n```\n\n### Reveal\n\nSo.\n";
     let lesson = Lesson::read("asked", text, "asked.md").expect("a lesson");
     let mut state = State::open(Settings::default()).expect("usual settings");
     state.begin_lesson(&lesson).expect("it can be worked out");
-    let mut window = window(state);
+    window(state)
+}
+
+/// Types `text` by the keys that its letters are on.
+fn type_keys(window: &mut Harness<'_, App>, keys: &[(Key, &str)]) {
+    for (key, text) in keys {
+        let pressed = |pressed| Event::Key {
+            key: *key,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        };
+        window.input_mut().events.extend([pressed(true), Event::Text((*text).to_owned()), pressed(false)]);
+        window.run();
+    }
+}
+
+fn a_letter_that_no_number_contains_is_a_command_in_the_field_of_one() {
+    let mut window = asked_for_a_number();
+    window.run();
+    let drafted = |window: &Harness<'_, App>| {
+        let course = window.state().state().course().expect("a lesson");
+        course.draft.clone()
+    };
+    type_keys(&mut window, &[(Key::Num2, "2"), (Key::E, "e"), (Key::Num3, "3")]);
+    assert_eq!(drafted(&window), Some(Answer::Number(2e3)));
+    let map = window.state().state().document.settings.window.map;
+    type_keys(&mut window, &[(Key::M, "m")]);
+    assert_ne!(window.state().state().document.settings.window.map, map);
+    assert_eq!(drafted(&window), Some(Answer::Number(2e3)), "the letter is not typed");
+    assert!(!window.ctx.text_edit_focused(), "and the field is left");
+    // Where words are typed a letter is one of them.
+    window.key_press_modifiers(Modifiers::COMMAND, Key::P);
+    window.run();
+    type_keys(&mut window, &[(Key::P, "p")]);
+    assert!(!window.state().state().session.stage.is_presented());
+    assert_eq!(window.get_by_label("Command").value().as_deref(), Some("p"));
+}
+
+fn a_number_that_is_none_stays_where_it_was_typed() {
+    let mut window = asked_for_a_number();
     let is = "is not a number: type one such as 1.25 or 2e-3.";
     for typed in ["1.2.3", "about two", "1e309", "NaN"] {
         type_into(&mut window, "Predicted number", typed);

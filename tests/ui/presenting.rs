@@ -13,6 +13,7 @@ use gamow::settings::{MotionSettings, PlotSettings, Preset, ScreenSettings, Wind
 
 use super::Test;
 use super::layouts::assert_no_broken_numbers;
+use super::screens::{LEAST_PICTURE, painted_over, pictures};
 use super::support::{
     cyclist, drag, in_layout, label_starting_with, labels, pane, sweep, wide_window, window, window_of_size,
     window_without_pictures,
@@ -45,7 +46,7 @@ fn an_audience_has_one_large_picture_and_words_and_all_comes_back() {
     let before = settings_window(&window);
     window.key_press(Key::P);
     window.run();
-    for name in ["Left eye view", "β = 0.900"] {
+    for name in ["Left eye view", "β = 0.9"] {
         window.get_by_label(name);
     }
     // The times are told only where somebody asks for them.
@@ -145,20 +146,6 @@ fn a_clicker_steps_the_presets_in_front_of_an_audience() {
 
 /// The screens of a lecture, points, and the least share of their height that the picture has.
 const SCREENS: [[f32; 2]; 4] = [[1024.0, 768.0], [1366.0, 768.0], [1920.0, 1080.0], [3840.0, 2160.0]];
-const LEAST_PICTURE: f32 = 0.65;
-
-/// Returns the places of the pictures.
-fn pictures(window: &Harness<'_, App>) -> Vec<Rect> {
-    let names = ["Left eye view", "Right eye view", "Both eyes' view"];
-    let all = names.iter().flat_map(|name| {
-        let nodes = window.root().children_recursive();
-        nodes
-            .filter(|node| node.accesskit_node().label().is_some_and(|label| label.starts_with(name)))
-            .map(|node| node.rect())
-            .collect::<Vec<_>>()
-    });
-    all.collect()
-}
 
 /// Checks how high the pictures are in a window of this `size`, and that they do not leave it.
 fn assert_picture_is_large(window: &Harness<'_, App>, size: [f32; 2], at: &str) -> Rect {
@@ -168,16 +155,6 @@ fn assert_picture_is_large(window: &Harness<'_, App>, size: [f32; 2], at: &str) 
     let together = all.iter().copied().reduce(Rect::union).expect("a picture");
     assert!(together.height() >= LEAST_PICTURE * size[1], "{at}: {together:?} in {size:?}");
     together
-}
-
-/// Returns what is painted over a `picture` and does not cover all of it, as its grounds do.
-fn painted_over(window: &Harness<'_, App>, picture: Rect) -> Vec<Rect> {
-    let inside = picture.shrink(3.0);
-    let shapes = window.output().shapes.iter();
-    let places = shapes.map(|clipped| clipped.shape.visual_bounding_rect().intersect(clipped.clip_rect));
-    places
-        .filter(|place| place.is_positive() && place.intersects(inside) && !place.contains_rect(inside))
-        .collect()
 }
 
 fn every_preset_has_two_thirds_of_the_height_before_an_audience_and_nothing_over_it() {
@@ -406,6 +383,9 @@ fn the_projectors_window_shows_the_views_and_goes_again() {
         window.key_press(Key::W);
         window.run();
         assert_eq!(views(&window), 2);
+        // One large picture with its words, as before an audience in the one window.
+        assert_eq!(window.query_all_by_label("Right eye view").count(), 1);
+        assert_eq!(window.query_all_by_label("β = 0.9").count(), 2);
         window.render().expect("a picture");
         window.key_press(Key::W);
         window.run();

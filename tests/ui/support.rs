@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 
 use clap::ValueEnum as _;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Pos2, Rect, Vec2};
+use eframe::egui::epaint::TextShape;
+use eframe::egui::{Pos2, Rect, Shape, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, HarnessBuilder};
 use gamow::app::commands::{Command, FileCommand, SettingsCommand};
@@ -117,6 +118,35 @@ pub fn label_starting_with(harness: &Harness<'_, App>, name: &str) -> String {
     let labels: Vec<String> = labels(harness).into_iter().filter(|label| label.starts_with(name)).collect();
     assert_eq!(labels.len(), 1, "labels that start with {name:?}: {labels:?}");
     labels[0].clone()
+}
+
+/// A text that is painted, and what clips it.
+pub struct PaintedText {
+    pub shape: TextShape,
+    pub clip: Rect,
+}
+
+impl PaintedText {
+    /// Whether something of it can be seen.
+    pub fn is_in_sight(&self) -> bool {
+        self.shape.opacity_factor > 0.0 && self.clip.intersects(self.shape.visual_bounding_rect())
+    }
+}
+
+/// Returns every text that is painted.
+pub fn painted_texts(window: &Harness<'_, App>) -> Vec<PaintedText> {
+    fn add(shape: &Shape, clip: Rect, texts: &mut Vec<PaintedText>) {
+        match shape {
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| add(shape, clip, texts)),
+            Shape::Text(text) => texts.push(PaintedText { shape: text.clone(), clip }),
+            _ => {}
+        }
+    }
+    let mut texts = Vec::new();
+    for clipped in &window.output().shapes {
+        add(&clipped.shape, clipped.clip_rect, &mut texts);
+    }
+    texts
 }
 
 /// Every label and value in the window.

@@ -14,7 +14,8 @@ pub struct Combined {
     pub value: f64,
     /// Standard error of the mean, with the correlation accounted for.
     pub standard_error: f64,
-    /// Percentile interval that holds 95 % of the replicates' means.
+    /// Interval that holds 95 %: the percentiles of the replicates' means, widened as those of both
+    /// estimates.
     pub interval_95: [f64; 2],
     /// Correlation of both estimates over the replicates.
     pub correlation: f64,
@@ -84,11 +85,14 @@ pub fn combined(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), paramete
     let estimates = (sign * azimuth.0.value(parameter), polar.0.value(parameter));
     let difference = (estimates.0 - estimates.1).abs();
     let apart = (total - 2.0 * covariance).max(0.0).sqrt();
+    let widening = weight * azimuth.1.widening(parameter) + rest * polar.1.widening(parameter);
+    let value = mean(estimates.0, estimates.1);
+    let percentiles = percentiles_95(pairs.iter().map(|&(a, b)| mean(a, b)));
     Combined {
-        value: mean(estimates.0, estimates.1),
+        value,
         disagreement: if difference > NOISE_FREE_ERROR && apart > 0.0 { difference / apart } else { 0.0 },
         standard_error: variance.max(0.0).sqrt(),
-        interval_95: percentiles_95(pairs.iter().map(|&(a, b)| mean(a, b))),
+        interval_95: percentiles.map(|end| value + widening * (end - value)),
         correlation,
         azimuth_weight: weight,
     }

@@ -100,7 +100,7 @@ pub use gpu::target::EyeTarget;
 pub use kinematics::relative_velocity::RelativeVelocity;
 pub use kinematics::spin::{MaterialPoint, Spin};
 pub use kinematics::velocity::{Motion, Velocity};
-pub use light::screen_light::received_intensity;
+pub use light::screen_light::{Light, received_intensity};
 pub use picture::compose::Composition;
 pub use picture::hit::{Hit, HitImage};
 pub use picture::pixels::Picture;

@@ -31,6 +31,7 @@ fn plate(copies: f32) -> RawModel {
         corners: corners.to_vec(),
         triangles: vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
         materials: Vec::new(),
+        reversed: Vec::new(),
         paints: vec![[1.0, 0.9, 0.8], [0.6, 1.0, 1.0], [1.0; 3], [0.5, 0.5, 1.0], [1.0; 3]],
         textures: vec![waves([Wrap::Repeat, Wrap::Mirror]), waves([Wrap::Clamp, Wrap::Repeat])],
         texture_numbers: vec![0, 1, RawModel::NO_TEXTURE, 0],

@@ -110,6 +110,7 @@ pub static ACTIONS: &[Action] = &[
         &[with_shift(Key::B)],
         switch(Switch::Comparison),
     ),
+    action("show what is seen standing where you ride, or not", &[], switch(Switch::Standing)),
     action("show one eye's picture, or both eyes'", &[key(Key::B)], switch(Switch::BothEyes)),
     action("frame the whole scene in the views", &[key(Key::F)], Command::Gaze(GazeCommand::Whole)),
     action("follow the next body", &[key(Key::J)], Command::Points(PointsCommand::FollowNext(1))),
@@ -290,7 +291,12 @@ pub fn asked(ctx: &Context, state: &State) -> Vec<Command> {
     };
     let pressed: Vec<_> =
         ctx.input(|input| input.events.iter().filter(is_meant).filter_map(meaning).collect());
-    pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, *keys)).map(|(_, command)| command).collect()
+    let meant: Vec<_> = pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, *keys)).collect();
+    let perform = |(keys, command)| {
+        focus::leave_for(ctx, keys);
+        command
+    };
+    meant.into_iter().map(perform).collect()
 }
 
 /// The keys of an action that `event` presses, and what that asks for.

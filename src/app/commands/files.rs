@@ -6,6 +6,7 @@ use std::sync::Arc;
 use gamow_platform::files;
 
 use crate::app::state::State;
+use crate::app::state::document::report;
 use crate::app::state::files::purpose::Purpose;
 use crate::app::state::files::reader::{Contents, Errand, ReadFile, ReadyScene, Use};
 use crate::app::state::notice::Notice;
@@ -126,6 +127,7 @@ impl State {
             Ok(Contents::Scene(scene, surroundings)) => {
                 let is_current = surroundings == self.document.settings.light.surroundings;
                 if is_current && scene.scene != self.document.scene {
+                    self.scratch.notice = report(&scene.scene);
                     self.show_scene(*scene);
                 }
             }

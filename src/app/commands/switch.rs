@@ -22,6 +22,8 @@ pub enum Switch {
     BothEyes,
     /// The next other picture of the left eye that can be shown, compared with its own.
     Comparison,
+    /// A second picture of what is seen standing where one rides, or none.
+    Standing,
     /// The layout this many further in the list of them, or back.
     Layout(isize),
     /// The map, shown or hidden.
@@ -52,6 +54,7 @@ impl State {
             }
             Switch::BothEyes => self.switch_eyes(),
             Switch::Comparison => settings.compare_next(),
+            Switch::Standing => settings.compare_standing(),
             Switch::Layout(steps) => settings.picture.layout = further(&settings.picture.layout, steps),
             Switch::Map if self.session.stage.is_presented() => self.switch_panel(SidePanel::Map),
             Switch::Plots if self.session.stage.is_presented() => self.switch_panel(SidePanel::Plot),

@@ -16,7 +16,7 @@ use crate::app::state::files::recent::file_name;
 use crate::app::state::overlay::Overlay;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
-use crate::caption::beginnings;
+use crate::caption::whole_sentences;
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Theme, WindowSettings, about, meaning};
 use crate::units::Units;
@@ -119,9 +119,10 @@ fn caption(ui: &mut Ui, state: &State) {
         job.wrap = wrap.clone();
         ui.painter().layout_job(job)
     };
-    let fits = beginnings(&preset.caption).iter().rev().map(|text| laid(text)).find(|galley| !galley.elided);
-    let galley = fits.unwrap_or_else(|| laid(&preset.caption));
-    ui.label(galley).on_hover_text(&preset.caption);
+    let sentences = whole_sentences(&preset.caption);
+    if let Some(galley) = sentences.iter().rev().map(|text| laid(text)).find(|galley| !galley.elided) {
+        ui.label(galley).on_hover_text(&preset.caption);
+    }
 }
 
 fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {

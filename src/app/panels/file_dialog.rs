@@ -8,6 +8,7 @@ use crate::app::commands::WindowCommand;
 use crate::app::commands::file_dialog::Chooser;
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
+use crate::app::widgets::focus;
 use crate::flags::choices::{Form, Size};
 use crate::number_text;
 use crate::studio::film::{FRAMES_PER_SECOND, expected_gif_bytes};
@@ -49,6 +50,7 @@ fn path(ui: &mut Ui, chooser: &mut Chooser) -> bool {
     let [from, to] = chooser.stem();
     let mut output = TextEdit::singleline(&mut chooser.path).desired_width(f32::INFINITY).show(ui);
     let response = output.response.response.clone().accessible_name("Path");
+    focus::note_words(&response);
     if std::mem::take(&mut chooser.wants_focus) {
         response.request_focus();
         // What is typed takes the place of the name, not of the folder or the ending.
@@ -69,7 +71,9 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
             let tip = "Width x height of each eye's picture, at first as in the window.";
             ui.label("Size of a picture").on_hover_text(tip);
             let field = TextEdit::singleline(&mut chooser.size).desired_width(SIZE_WIDTH);
-            if ui.add(field).on_hover_text(tip).accessible_name("Size of a picture").changed() {
+            let field = ui.add(field).on_hover_text(tip).accessible_name("Size of a picture");
+            focus::note_words(&field);
+            if field.changed() {
                 chooser.edited();
             }
             ui.label("pixels");

@@ -12,6 +12,7 @@ use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::state::overlay::Overlay;
 use crate::app::state::pointer::Select;
+use crate::app::widgets::focus;
 use crate::settings::{About, Preset, Settings, about_all};
 
 /// Width, and the greatest height of the list, points.
@@ -60,6 +61,7 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
             let field =
                 TextEdit::singleline(&mut search.text).hint_text("Action, body, or setting and value");
             let field = ui.add(field.desired_width(f32::INFINITY)).accessible_name("Command");
+            focus::note_words(&field);
             if is_new {
                 field.request_focus();
             }

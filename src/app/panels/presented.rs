@@ -1,13 +1,16 @@
 //! The words for an audience, below the picture, so large that the last row reads them: the speed and the
 //! title, beside them what is seen and why, and the keys that show more.
 
-use eframe::egui::{Align, Context, FontId, Label, Layout, Rect, RichText, TextStyle, Ui, UiBuilder, vec2};
+use eframe::egui::{
+    Align, Context, CursorIcon, FontId, Label, Layout, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, vec2,
+};
 
 use super::Commands;
 use crate::app::commands::actions::keys_of;
 use crate::app::commands::choice_keys;
-use crate::app::commands::{Command, SettingsCommand, Switch};
+use crate::app::commands::{Command, FileCommand, SettingsCommand, Switch};
 use crate::app::state::State;
+use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::stage::SidePanel;
 use crate::app::widgets::fitted;
 use crate::app::widgets::theme;
@@ -34,17 +37,19 @@ const LEAST_ASPECT: f32 = 0.75;
 const HEADING_WIDTH: f32 = 0.2;
 const KEYS_HEIGHT: f32 = 1.3;
 
+/// Written between two keys.
+const APART: &str = "\u{a0}·\u{a0}";
+
 /// Returns the height in proportion to which a window of this `area` writes for an audience.
-#[must_use]
-pub fn reference_height(area: Rect) -> f32 {
+fn reference_height(area: Rect) -> f32 {
     area.height().min(LEAST_ASPECT * area.width())
 }
 
-/// Returns how much larger than usual writing is for an audience: the smallest is as high as the last row
-/// needs, and larger with the window's zoom.
+/// Returns the magnification of writing for an audience in a window with this inner `area`: the smallest is
+/// as high as the last row needs, and larger with the window's zoom.
 #[must_use]
-pub fn scale(ctx: &Context) -> f32 {
-    let height = reference_height(ctx.content_rect()) * ctx.zoom_factor();
+pub fn scale(ctx: &Context, area: Rect) -> f32 {
+    let height = reference_height(area) * ctx.zoom_factor();
     let [least, most] = SCALES;
     (LEAST_SHARE * height / theme::SMALL_SIZE).clamp(least, most)
 }
@@ -62,9 +67,10 @@ pub fn show(
     let least = TextStyle::Small.resolve(ui.style()).size;
     let (heading_room, words) = rect.split_left_right_at_fraction(HEADING_WIDTH);
     let words = words.with_min_x(words.min.x + least);
-    let keys = keys_text(state);
+    let keys = keys(state);
     if let Some((key, lesson)) = lesson {
-        heading(ui, state, heading_room, [notes, &keys]);
+        let keys: Vec<_> = keys.into_iter().map(|(text, _)| text).collect();
+        heading(ui, state, heading_room, [notes, &keys.join(" · ")]);
         ui.scope_builder(UiBuilder::new().id_salt("words").max_rect(words), |ui| {
             fitting(ui, key, |ui| lesson(ui, state, commands));
         });
@@ -73,13 +79,13 @@ pub fn show(
         let share = (1.0 - KEYS_HEIGHT * least / words.height().max(1.0)).clamp(0.0, 1.0);
         let (words, foot) = words.split_top_bottom_at_fraction(share);
         caption(ui, state, words, least);
-        line(ui, foot, notes, &keys);
+        line(ui, foot, notes, keys, commands);
     }
 }
 
-/// Shows `contents` of a lesson as large as fits into the room of `ui`; `key` tells what they are.
+/// Shows `contents` of a lesson as large as fits into the room of `ui`; `key` identifies them.
 pub fn fitting(ui: &mut Ui, key: String, contents: impl FnOnce(&mut Ui)) {
-    let height = ui.ctx().zoom_factor() * reference_height(ui.ctx().content_rect());
+    let height = theme::text_scale(ui.style()) * theme::SMALL_SIZE / LEAST_SHARE;
     fitted::show(ui, key, LESSON_SIZES.map(|share| share * height), |ui| {
         ui.spacing_mut().item_spacing.y = 0.25 * TextStyle::Body.resolve(ui.style()).size;
         contents(ui);
@@ -128,7 +134,7 @@ fn title(state: &State) -> String {
     preset.unwrap_or_else(|| state.document.scene.name.clone())
 }
 
-/// Writes the caption of the preset into `rect`, or the moment in words where that is asked for: as many
+/// Writes the caption of the preset into `rect`, or the moment in words on request: as many
 /// whole sentences as have room.
 fn caption(ui: &mut Ui, state: &State, rect: Rect, least: f32) {
     let text = match state.document.preset {
@@ -154,21 +160,36 @@ fn caption(ui: &mut Ui, state: &State, rect: Rect, least: f32) {
     });
 }
 
-/// Writes the notes at the left end of a line and the keys at the right one.
-fn line(ui: &mut Ui, rect: Rect, notes: &str, keys: &str) {
-    let write = |ui: &mut Ui, text: &str| {
-        ui.add(Label::new(RichText::new(text).small().weak()).selectable(false).truncate());
-    };
+/// Writes the notes at the left end of a line and the keys at the right one; a click on a key is as good as a
+/// press.
+fn line(ui: &mut Ui, rect: Rect, notes: &str, keys: Vec<ShownKey>, commands: &mut Commands) {
+    let written = |text: &str| Label::new(RichText::new(text).small().weak()).selectable(false).truncate();
     ui.scope_builder(UiBuilder::new().id_salt("keys").max_rect(rect), |ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
         ui.with_layout(Layout::right_to_left(Align::Max), |ui| {
-            write(ui, keys);
-            ui.with_layout(Layout::left_to_right(Align::Max), |ui| write(ui, notes));
+            for (number, (text, command)) in keys.into_iter().rev().enumerate() {
+                if number > 0 {
+                    ui.add(written(APART));
+                }
+                let Some(command) = command else {
+                    ui.add(written(&text));
+                    continue;
+                };
+                let key = ui.add(written(&text).sense(Sense::click()));
+                if key.on_hover_cursor(CursorIcon::PointingHand).clicked() {
+                    commands.push(command);
+                }
+            }
+            ui.with_layout(Layout::left_to_right(Align::Max), |ui| ui.add(written(notes)));
         });
     });
 }
 
-/// The keys that show an audience more or less.
-fn keys_text(state: &State) -> String {
+/// A key with what it does, and its command if it has a single one.
+type ShownKey = (String, Option<Command>);
+
+/// The keys that show an audience more or less, and the one that saves the passage.
+fn keys(state: &State) -> Vec<ShownKey> {
     let panel = state.side_panel();
     let is_plot = matches!(panel, SidePanel::Plot | SidePanel::Fit);
     let eyes = if state.has_both_eyes() { "one eye" } else { "two eyes" };
@@ -177,11 +198,19 @@ fn keys_text(state: &State) -> String {
         (Switch::Plots, if is_plot { "no plot" } else { "plot" }),
         (Switch::Map, if panel == SidePanel::Map { "no map" } else { "map" }),
     ];
-    let keys = |switch| keys_of(&[Command::Settings(SettingsCommand::Switch(switch))]);
+    let switched = |(switch, shows)| (Command::Settings(SettingsCommand::Switch(switch)), shows);
     // While choices stand there, the letters are theirs.
     let count = choice_keys::count(state);
-    let free = shown.into_iter().filter(|(switch, _)| count < 2 || *switch != Switch::BothEyes);
-    let texts = free.map(|(switch, shows)| format!("{} {shows}", keys(switch)).replace(' ', "\u{a0}"));
-    let answers = (count > 0).then(|| format!("A–{}\u{a0}answer", choice_keys::letter_of(count - 1)));
-    answers.into_iter().chain(texts).collect::<Vec<_>>().join(" · ")
+    // Beside the projector's window the lecturer has controls.
+    let is_alone = state.session.stage.is_presented();
+    let is_free = |switch: Switch| is_alone && (count < 2 || switch != Switch::BothEyes);
+    let free = shown.into_iter().filter(|(switch, _)| is_free(*switch));
+    let film = (Command::File(FileCommand::Choose(Purpose::Save(Product::TenSeconds))), "film");
+    let film = Some(film).filter(|_| is_alone && state.session.lesson.is_none());
+    let keys = free.map(switched).chain(film).map(|(command, does)| {
+        let text = format!("{} {does}", keys_of(std::slice::from_ref(&command)));
+        (text.replace(' ', "\u{a0}"), Some(command))
+    });
+    let answers = (count > 0).then(|| (format!("A–{}\u{a0}answer", choice_keys::letter_of(count - 1)), None));
+    answers.into_iter().chain(keys).collect()
 }

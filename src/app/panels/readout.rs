@@ -22,7 +22,7 @@ use crate::number_text;
 use crate::quantity::{Of, Quantity, Row};
 use crate::settings::WindowSettings;
 
-/// Shows the readout of the selected point: among few controls in words, unless its numbers are asked for.
+/// Shows the readout of the selected point: among few controls in words, and its numbers on request.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let window = state.document.settings.window;
     ui.spacing_mut().item_spacing.y = 3.0;

@@ -40,12 +40,13 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
         ensure_ending("--screenshot", path, "png")?;
         let state = args.state(Settings::default())?;
+        report(&state);
         let provenance =
             state.document.scene.provenance(state.shown().relative_to(path).window_command(Shell::RECORDED));
         return screenshot::save(state, args.window_size_or_default(), &provenance.texts(), path);
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.
-    args.state(Settings::default())?;
+    report(&args.state(Settings::default())?);
     if !has_display() {
         return Err(unopened("there is no display"));
     }
@@ -57,6 +58,11 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
             Ended::Broken(reason, state) => broken(&reason, &state, &keeper),
         })?;
     keeper.end()
+}
+
+/// Prints what is to be said about the models of the scene.
+fn report(state: &State) {
+    state.document.scene.remarks().for_each(|remark| messages::remark(format_args!("gamow: {remark}")));
 }
 
 /// Has the tables made in which colours are looked up, while the window opens: its first frame needs them,
@@ -163,7 +169,8 @@ fn bring_back(cc: &CreationContext<'_>, memory: &Memory) {
     memory.bring_back(&cc.egui_ctx, monitors);
 }
 
-/// Has a first window of this `size`, points, leave room on its screen for its frame and the desktop's panels.
+/// Has a first window of this `size`, points, leave room on its screen for its frame and the desktop's
+/// panels.
 fn fit_on_screen(cc: &CreationContext<'_>, size: [u32; 2]) {
     let Some(monitor) = cc.winit_window().and_then(|window| window.current_monitor()) else { return };
     let screen = monitor.size().to_logical::<f32>(monitor.scale_factor());

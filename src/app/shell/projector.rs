@@ -1,4 +1,4 @@
-//! The projector's window: the views, while the controls stay on the lecturer's screen.
+//! The projector's window: what an audience sees, while the controls stay on the lecturer's screen.
 
 use eframe::egui::{Context, Ui, ViewportBuilder, ViewportClass, ViewportCommand, ViewportId};
 
@@ -9,7 +9,6 @@ use crate::app::shell::App;
 use crate::app::shell::other_screen::{Screen, other_screen};
 use crate::app::views::eyes::EyePictures;
 use crate::app::views::halo;
-use crate::app::views::window_layout;
 use crate::app::widgets::name_window;
 use crate::app::widgets::theme;
 
@@ -84,7 +83,7 @@ impl App {
         self.run_all(ctx, commands.collect());
     }
 
-    /// Shows the views, and a lesson's words with the panel beside them, in the window of this `ui`.
+    /// Shows what an audience sees in the window of this `ui`: the picture, the panel beside it, and words.
     fn show_projected(&mut self, ui: &mut Ui) {
         if self.projected.is_none() {
             self.projected = self.eyes.as_ref().map(|eyes| eyes.another(ui.ctx()));
@@ -92,13 +91,10 @@ impl App {
         name_window(ui.ctx(), TITLE);
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let scale = presented::scale(ui.ctx());
+        let scale = presented::scale(ui.ctx(), area);
         theme::set_body_size(ui.style_mut(), theme::BODY_SIZE * scale);
-        let presentation = self.state.session.lesson.is_some().then(|| self.presentation(ui, area));
-        let panes = match &presentation {
-            Some(presentation) => presentation.panes.clone(),
-            None => window_layout::views(area, &self.arranged(ui).without_corrected()),
-        };
+        let presentation = self.presentation(ui, area);
+        let panes = presentation.panes.clone();
         // What is off is examined in pictures of the other window's size.
         let (size, keeps_height) = (self.state.frame.picture_size, self.state.frame.keeps_height);
         let examination = self.examination.take();
@@ -116,10 +112,8 @@ impl App {
         (self.examination, self.fade) = (examination, fade);
         (self.state.frame_mut().picture_size, self.state.frame_mut().keeps_height) = (size, keeps_height);
         self.state.frame_mut().choices = choices;
-        if let Some(presentation) = presentation {
-            self.show_beside_picture(ui, &presentation);
-            self.show_words(ui, &presentation);
-        }
+        self.show_beside_picture(ui, &presentation);
+        self.show_words(ui, &presentation);
         halo::paint(ui.ctx());
     }
 }

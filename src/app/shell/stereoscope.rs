@@ -25,7 +25,7 @@ struct Pictures {
 }
 
 impl App {
-    /// Takes the orientation that the device tells: alpha, beta, gamma and the turn of what is shown,
+    /// Takes the orientation that the device reports: alpha, beta, gamma and the turn of the screen,
     /// degrees. Without a stereoscope it changes nothing.
     pub fn turn_device(&mut self, angles: [f64; 4]) {
         if let Some(stereoscope) = &mut self.stereoscope {

@@ -114,8 +114,8 @@ impl App {
         }
     }
 
-    /// Returns the commands of keys for this frame. A clicker's press waits until what the one before asked
-    /// for is shown, with all keys after it: so nothing is passed over unseen.
+    /// Returns the commands of keys for this frame. A clicker's press, with all keys after it, waits until
+    /// the result of the one before is shown: so nothing is passed over unseen.
     fn next_asked(&mut self, ctx: &egui::Context) -> Commands {
         let is_getting_ready = std::mem::take(&mut self.state.frame_mut().is_getting_ready);
         let mut commands = std::mem::take(&mut self.waiting);
@@ -152,7 +152,7 @@ impl App {
         let scale = match session.stage.is_presented() {
             // Its cards have pictures, and are to be in sight.
             true if session.overlay.is_some_and(Overlay::is_page) => PRESENTED_START_SCALE,
-            true => panels::presented::scale(ctx),
+            true => panels::presented::scale(ctx, ctx.content_rect()),
             false => 1.0,
         };
         if scale != self.text_scale {

@@ -105,10 +105,10 @@ impl WindowState {
         self.0.leave(kept);
     }
 
-    /// Calls `asked` with the settings of one picture of a comparison: of the second, which has changes, if
+    /// Calls `query` with the settings of one picture of a comparison: of the second, which has changes, if
     /// it `is_second`.
-    pub fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&State) -> R) -> R {
-        self.0.of_picture(is_second, |state| asked(state))
+    pub fn of_picture<R>(&mut self, is_second: bool, query: impl FnOnce(&State) -> R) -> R {
+        self.0.of_picture(is_second, |state| query(state))
     }
 
     /// Has the `keeper` note that something was done.

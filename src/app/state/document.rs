@@ -40,12 +40,18 @@ fn without_headset(look: &mut LookSettings) -> Option<Notice> {
     })
 }
 
+/// Returns the message about the models of `scene`, if there is anything to say.
+pub(in crate::app) fn report(scene: &Scene) -> Option<Notice> {
+    let remarks: Vec<_> = scene.remarks().collect();
+    (!remarks.is_empty()).then(|| Notice::done(remarks.join(". ")))
+}
+
 impl Document {
     /// Returns the document that shows `scene` with `settings`, and the message that is due, if there is one.
     /// By default the scene's own point is selected, and T is shortly before that passes.
     pub(in crate::app) fn new(mut settings: Settings, scene: ReadyScene) -> (Self, Option<Notice>) {
         let ReadyScene { scene, prepared } = scene;
-        let notice = without_headset(&mut settings.look);
+        let notice = without_headset(&mut settings.look).or_else(|| report(&scene));
         let preset = Preset::matching(&settings);
         let tracked = settings.track(&scene);
         let points = Points::tracked(scene.track(None));

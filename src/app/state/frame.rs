@@ -15,7 +15,7 @@ use crate::settings::{LookSettings, Settings, Subject};
 pub struct Frame {
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
     pub picture_size: [u32; 2],
-    /// Whether pictures wider than usual show as much in height as usual ones: those before an audience.
+    /// Whether pictures wider than the default show as much in height: those before an audience.
     pub keeps_height: bool,
     /// The size of a pixel of the screen, cm.
     pub cm_per_pixel: f64,

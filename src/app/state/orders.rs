@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 use crate::app::state::files::purpose::Product;
 
-/// An order.
+/// A request that needs more than the state.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Order {
-    /// Writes a file.
+    /// Writes a file of a product.
     Save(Saving),
     /// Copies something to the clipboard.
     Copy(Copied),

@@ -8,9 +8,9 @@ use crate::settings::Preset;
 pub enum WindowPart {
     /// The view with this number, from the left.
     Pane(usize),
-    /// The map part.
+    /// The map alone in the window.
     Map,
-    /// The plots part.
+    /// The plots alone in the window.
     Plots,
 }
 
@@ -19,9 +19,9 @@ pub enum WindowPart {
 pub enum SidePanel {
     /// Nothing: the picture has all the width.
     Nothing,
-    /// A single plot.
+    /// A single plot beside the picture.
     Plot,
-    /// The map.
+    /// The map beside the picture.
     Map,
     /// The fit: readings, residuals and a table.
     Fit,

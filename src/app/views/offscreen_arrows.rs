@@ -26,13 +26,13 @@ pub struct OffscreenArrow {
 /// A side of whoever looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// To the left.
+    /// To the left of the picture.
     Left,
-    /// To the right.
+    /// To the right of the picture.
     Right,
-    /// Above.
+    /// Above the picture's upper edge.
     Above,
-    /// Below.
+    /// Below the picture's lower edge.
     Below,
     /// Behind, by more than 45 degrees from either side.
     Behind,

@@ -61,7 +61,7 @@ pub struct Arrangement {
     title: f32,
     /// Height of the band below a picture, points; 0 where the pictures have no ruler.
     band: f32,
-    /// Magnification of text.
+    /// Magnification of text relative to the default.
     scale: f32,
 }
 
@@ -236,7 +236,7 @@ impl EyePane {
         Self { eye, is_second: false, rect, size, is_shared: false, band: 0.0, title: PaneTitle::Above }
     }
 
-    /// Returns the pane with what stands above and below the picture of `pane`, which it lies in.
+    /// Returns the pane with the title and the band of `pane`, which it lies in.
     #[must_use]
     pub fn of(self, pane: &Pane) -> Self {
         let is_lowest = (self.rect.max.y - pane.rect.max.y).abs() < 2.0;

@@ -27,11 +27,11 @@ const EASE: f64 = 4.0;
 const LONGEST: f64 = 0.25;
 /// Time from the page's opening to the first picture, seconds: the page itself comes first.
 const FIRST: f64 = 0.4;
-/// Most pixels of a picture that a GPU draws, and of one that the processor draws.
+/// The largest pictures that a GPU draws and that the processor draws, pixels.
 const MOST_PIXELS: f32 = 2.0e6;
 const MOST_PIXELS_SOFTWARE: f32 = 1.6e5;
 
-/// The moving picture.
+/// The moving picture, with its ride.
 pub struct StartPicture {
     eyes: EyePictures,
     state: State,
@@ -74,7 +74,7 @@ impl StartPicture {
         })
     }
 
-    /// Returns the picture for `rect`, drawn anew when that is due; it stands still where motion is not
+    /// Returns the picture for `rect`, drawn again when that is due; it does not move where motion is not
     /// wanted and while the window is behind others.
     pub fn picture(&mut self, ui: &Ui, rect: Rect) -> Option<ShownStartPicture> {
         let ctx = ui.ctx();

@@ -95,9 +95,9 @@ pub const DOUBLE_CLICK: &str = "Double-click the slider or its name to reset it.
 /// An edit of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Edit {
-    /// No edit.
+    /// The value was left as it was.
     Kept,
-    /// Another value.
+    /// Another value was set.
     Changed,
     /// The default value, after a double click.
     Restored,
@@ -255,31 +255,39 @@ pub fn exact_number(
     shown: &str,
     width: f32,
 ) -> Option<Result<f64, String>> {
-    typed_text(ui, name, tip, shown, width).map(|text| number_text::parsed(&text))
+    typed(ui, name, tip, shown, width).1.map(|text| number_text::parsed(&text))
 }
 
 /// A field in which a text is typed. While it is not edited it shows `shown`; what was typed is handed out
 /// once, on Enter or when the field is left.
 pub fn typed_text(ui: &mut Ui, name: &str, tip: &str, shown: &str, width: f32) -> Option<String> {
+    let (field, typed) = typed(ui, name, tip, shown, width);
+    focus::note_words(&field);
+    typed
+}
+
+/// Shows the field of [`typed_text`]; returns its response, too.
+fn typed(ui: &mut Ui, name: &str, tip: &str, shown: &str, width: f32) -> (Response, Option<String>) {
     let id = Id::unique(("typed text", name));
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.to_owned());
     let field = TextEdit::singleline(&mut text).id(id).desired_width(width).clip_text(true);
     let response = ui.add(field).on_hover_text(tip).accessible_name(name);
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, text));
-        return None;
+        return (response, None);
     }
     ui.data_mut(|data| data.remove::<String>(id));
-    (response.lost_focus() && text != shown).then_some(text)
+    let entered = (response.lost_focus() && text != shown).then_some(text);
+    (response, entered)
 }
 
 /// A number to drag or type.
 pub fn number<N: Numeric>(value: &mut N) -> DragValue<'_> {
-    DragValue::new(value).custom_parser(typed)
+    DragValue::new(value).custom_parser(parsed)
 }
 
 /// A number as it is typed anywhere in the window: with a decimal point or comma.
-fn typed(text: &str) -> Option<f64> {
+fn parsed(text: &str) -> Option<f64> {
     number_text::parsed(text).ok()
 }
 
@@ -297,7 +305,7 @@ pub fn measure(value: &mut f64, unit: Unit, span: RangeInclusive<f64>) -> DragVa
         }
         unit.shown(*value)
     });
-    number.range(shown).suffix(unit.suffix()).update_while_editing(false).custom_parser(typed)
+    number.range(shown).suffix(unit.suffix()).update_while_editing(false).custom_parser(parsed)
 }
 
 /// The first or the last T of a range, to drag or type in `unit`, where the plots show `from` to `to`.

@@ -15,8 +15,10 @@ use relativity_core::{Baseline, Curves, FitError, MAX_COORDINATE, Observations, 
 
 use crate::columns::{CLOCK, ROLL, TURN};
 use crate::files::csv_in::{COMMENTS, CsvReader, Names, RowError, text};
-use headings::{Column, Kind};
+use headings::Column;
 use treatment::Treatment;
+
+pub use headings::{Kind, Unit};
 
 const NEEDED: &str = "T, dphi or dtheta, and d unless --d gives it";
 const NEEDED_OF_RIDER: &str = "clock, dphi or dtheta, and d unless --d gives it";
@@ -43,8 +45,19 @@ pub struct Data {
     pub has_separation: bool,
     /// The line of the file in which each sample stands.
     pub lines: Vec<u64>,
+    /// Units that the file says.
+    pub said: AssumedUnits,
     /// What was done to the file before it was fitted; `None` where it is as it stands.
     pub treatment: Option<String>,
+}
+
+/// Units of a file's columns.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct AssumedUnits {
+    /// Unit of the times.
+    pub times: Option<Unit>,
+    /// Unit of the disparities and their sigmas.
+    pub angles: Option<Unit>,
 }
 
 /// The place of the eyes: their separation, and roll and turn of the head, radians.
@@ -102,12 +115,12 @@ const EYES: [&str; 3] = ["d", ROLL, TURN];
 const CURVES: [[&str; 2]; 2] = [["dphi", "sigma_dphi"], ["dtheta", "sigma_dtheta"]];
 
 impl Data {
-    /// Reads `input`, called `name` in errors, of `eyes` there.
+    /// Reads `input`, called `name` in errors, of `eyes` there, in `assumed` units where it says none.
     ///
     /// # Errors
     ///
     /// One line that names the file, the line in it, and what is wrong there.
-    pub fn read(name: &str, input: impl Read, eyes: Eyes) -> anyhow::Result<Self> {
+    pub fn read(name: &str, input: impl Read, eyes: Eyes, assumed: AssumedUnits) -> anyhow::Result<Self> {
         let is_header = |names: &Names| DataHeader::is_in(names, eyes.ride);
         let mut input = CsvReader::new(input, is_header).with_context(|| name.to_owned())?;
         let mut row = ByteRecord::new();
@@ -116,6 +129,7 @@ impl Data {
         let mut header = DataHeader::new(row.clone(), eyes).with_context(|| place(input.line(&row)))?;
         let mut treatment = Treatment::default();
         treatment.note_preamble(input.preamble());
+        let mut said = AssumedUnits::default();
         let (mut baselines, mut samples, mut lines) = (Vec::new(), Vec::new(), Vec::new());
         let mut is_first = true;
         while input.read(&mut row).with_context(|| name.to_owned())? {
@@ -125,6 +139,9 @@ impl Data {
                 continue;
             }
             let is_of_units = is_first && header.learn(&row, &mut treatment).with_context(|| place(line))?;
+            if is_first {
+                said = header.assume(assumed).with_context(|| place(line))?;
+            }
             is_first = false;
             if is_of_units {
                 continue;
@@ -158,6 +175,7 @@ impl Data {
             has_sigmas: header.curves.iter().flatten().any(|curve| curve.sigma.is_some()),
             has_separation: matches!(header.eyes[0], EyesSource::Column(_)),
             lines,
+            said,
             treatment: treatment.sentence(),
         })
     }
@@ -231,6 +249,21 @@ impl DataHeader {
         let header = Self { time, eyes, curves, ride, names };
         header.check_units()?;
         Ok(header)
+    }
+
+    /// Takes the `assumed` units where the file says none; returns those that it says.
+    fn assume(&mut self, assumed: AssumedUnits) -> anyhow::Result<AssumedUnits> {
+        let curves = self.curves.iter_mut().flatten();
+        let angles: Vec<&mut Column> =
+            curves.flat_map(|curve| [Some(&mut curve.value), curve.sigma.as_mut()]).flatten().collect();
+        let said =
+            AssumedUnits { times: self.time.unit, angles: angles.iter().find_map(|column| column.unit) };
+        self.time.unit = self.time.unit.or(assumed.times);
+        for column in angles {
+            column.unit = column.unit.or(assumed.angles);
+        }
+        self.check_units()?;
+        Ok(said)
     }
 
     /// Every column that is read, with its name.

@@ -52,9 +52,9 @@ fn csv(out: &mut dyn Place) -> anyhow::Result<()> {
 }
 
 fn film(out: &mut dyn Place) -> anyhow::Result<()> {
-    let mut film = gif::GifWriter::new([3, 2], 4, out)?;
-    film.write(&picture())?;
-    film.write(&picture())?;
+    let frames = [picture(), picture()];
+    let mut film = gif::GifWriter::new([3, 2], 4, gif::Palette::new(&frames), out)?;
+    film.write(&frames)?;
     film.finish()
 }
 

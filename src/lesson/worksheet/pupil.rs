@@ -58,7 +58,7 @@ fn step(page: &mut HtmlPage, lesson: &Lesson, number: usize) -> anyhow::Result<(
         page.html("</div>\n");
     }
     if !explanation.is_empty() {
-        page.html("<div class=\"question\">\n<h3>Explain</h3>\n");
+        page.html("<div class=\"question closing\">\n<h3>Explain</h3>\n");
         page.html(&answer_lines(LINES[0]));
         page.html("</div>\n");
     }

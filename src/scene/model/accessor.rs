@@ -1,9 +1,9 @@
 //! The numbers of a glTF file, checked before they are read: the reader behind them takes their types and
 //! places for granted.
 
-use gltf::Accessor;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::View;
+use gltf::{Accessor, Document};
 
 /// The numbers that a part of a model needs.
 pub struct Needed {
@@ -13,23 +13,45 @@ pub struct Needed {
     words: &'static str,
 }
 
+/// Types of numbers.
+const WHOLE: &[DataType] = &[DataType::I8, DataType::U8, DataType::I16, DataType::U16, DataType::F32];
+const PARTS: &[DataType] = &[DataType::U8, DataType::U16, DataType::F32];
+
 /// The numbers of corners' places.
-pub const PLACES: Needed = Needed {
+pub const PLACES: Needed =
+    Needed { types: WHOLE, dimensions: &[Dimensions::Vec3], words: "VEC3 of numbers, as places are" };
+/// The numbers of turns, as quaternions.
+pub const TURNS: Needed =
+    Needed { types: WHOLE, dimensions: &[Dimensions::Vec4], words: "VEC4 of numbers, as turns are" };
+/// The numbers of corners' joints.
+pub const JOINTS: Needed = Needed {
+    types: &[DataType::U8, DataType::U16],
+    dimensions: &[Dimensions::Vec4],
+    words: "VEC4 of bytes or unsigned shorts, as joints are",
+};
+/// The numbers of corners' weights.
+pub const WEIGHTS: Needed = Needed {
+    types: PARTS,
+    dimensions: &[Dimensions::Vec4],
+    words: "VEC4 of bytes, unsigned shorts or floats, as weights are",
+};
+/// The numbers of joints' matrices.
+pub const MATRICES: Needed = Needed {
     types: &[DataType::F32],
-    dimensions: &[Dimensions::Vec3],
-    words: "VEC3 of floats, as places are",
+    dimensions: &[Dimensions::Mat4],
+    words: "MAT4 of floats, as matrices of joints are",
 };
 /// The numbers of corners' colours.
 pub const COLOURS: Needed = Needed {
-    types: &[DataType::U8, DataType::U16, DataType::F32],
+    types: PARTS,
     dimensions: &[Dimensions::Vec3, Dimensions::Vec4],
     words: "VEC3 or VEC4 of bytes, unsigned shorts or floats, as colours are",
 };
 /// The numbers of corners' places in a texture.
 pub const TEXTURE_PLACES: Needed = Needed {
-    types: &[DataType::U8, DataType::U16, DataType::F32],
+    types: WHOLE,
     dimensions: &[Dimensions::Vec2],
-    words: "VEC2 of bytes, unsigned shorts or floats, as places in a texture are",
+    words: "VEC2 of numbers, as places in a texture are",
 };
 /// The numbers by which triangles name their corners.
 pub const INDICES: Needed = Needed {
@@ -60,6 +82,57 @@ pub fn check(accessor: &Accessor<'_>, needed: &Needed, buffers: &[Vec<u8>]) -> R
         (end <= view.length()).then_some(())
     };
     is_there().ok_or_else(|| format!("accessor {number} reaches beyond its data"))
+}
+
+/// Returns the accessor of this number.
+pub fn accessor(document: &Document, number: usize) -> Result<Accessor<'_>, String> {
+    document.accessors().nth(number).ok_or_else(|| format!("there is no accessor {number}"))
+}
+
+/// Reads the first `N` numbers of each element of `accessor`, which must have what is `needed`. Those in bytes
+/// and shorts are parts of the whole if the accessor says so, or if they all are (`is_part`).
+pub fn read<const N: usize>(
+    accessor: &Accessor<'_>,
+    needed: &Needed,
+    buffers: &[Vec<u8>],
+    is_part: bool,
+) -> Result<Vec<[f32; N]>, String> {
+    check(accessor, needed, buffers)?;
+    let missing = || format!("accessor {} has no data", accessor.index());
+    let view = accessor.view().ok_or_else(missing)?;
+    let bytes =
+        data_of(&view, buffers).and_then(|bytes| bytes.get(accessor.offset()..)).ok_or_else(missing)?;
+    let (kind, is_part) = (accessor.data_type(), is_part || accessor.normalized());
+    let elements = bytes.chunks(view.stride().unwrap_or(accessor.size()).max(1)).take(accessor.count());
+    let number = |element: &[u8], part: usize| {
+        let at = part * kind.size();
+        let number = element.get(at..at + kind.size()).map_or(0.0, |bytes| number(bytes, kind));
+        if is_part { as_part(number, kind) } else { number }
+    };
+    Ok(elements.map(|element| std::array::from_fn(|part| number(element, part))).collect())
+}
+
+fn number(bytes: &[u8], kind: DataType) -> f32 {
+    match (kind, bytes) {
+        (DataType::I8, &[a]) => f32::from(a.cast_signed()),
+        (DataType::U8, &[a]) => f32::from(a),
+        (DataType::I16, &[a, b]) => f32::from(i16::from_le_bytes([a, b])),
+        (DataType::U16, &[a, b]) => f32::from(u16::from_le_bytes([a, b])),
+        (DataType::U32, &[a, b, c, d]) => u32::from_le_bytes([a, b, c, d]) as f32,
+        (DataType::F32, &[a, b, c, d]) => f32::from_le_bytes([a, b, c, d]),
+        _ => 0.0,
+    }
+}
+
+/// Returns a whole number as a part of the greatest of its kind.
+fn as_part(number: f32, kind: DataType) -> f32 {
+    match kind {
+        DataType::I8 => (number / 127.0).max(-1.0),
+        DataType::U8 => number / 255.0,
+        DataType::I16 => (number / 32767.0).max(-1.0),
+        DataType::U16 => number / 65535.0,
+        DataType::U32 | DataType::F32 => number,
+    }
 }
 
 /// Returns the bytes of a view, if all of them are there.

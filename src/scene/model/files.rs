@@ -1,7 +1,7 @@
 //! The files that a model may consist of: those in the folder of its scene.
 
 use std::io;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 use gamow_platform::{files, sizes};
 
@@ -52,5 +52,22 @@ impl ModelFiles<'_> {
             return Err(leaves());
         }
         files::read(&place, sizes::MODEL_BYTES).map_err(unread)
+    }
+
+    /// Returns the path of a file that differs from `path` in the case of letters alone, if there is one.
+    pub fn spelt(&self, path: &str) -> Option<String> {
+        let Self::Folder(folder) = self else { return None };
+        let (mut place, mut spelt) = (folder.to_path_buf(), PathBuf::new());
+        for part in Path::new(path).components() {
+            let Component::Normal(part) = part else { return None };
+            let lower = part.to_str()?.to_lowercase();
+            let is_it = |other: &PathBuf| {
+                other.file_name().and_then(|name| name.to_str()).is_some_and(|it| it.to_lowercase() == lower)
+            };
+            let found = files::list_folder(&place).ok()?.into_iter().find(is_it)?;
+            spelt.push(found.file_name()?);
+            place = found;
+        }
+        spelt.to_str().filter(|spelt| *spelt != path).map(str::to_owned)
     }
 }

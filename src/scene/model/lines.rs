@@ -4,9 +4,10 @@
 use std::cell::{Cell, RefCell};
 use std::fmt::Write as _;
 use std::io::{self, BufRead, Read};
-use std::str::{Lines as TextLines, SplitWhitespace};
+use std::str::SplitWhitespace;
 
 use super::limits::check_count;
+use super::text::{Statements, word_and_name};
 
 /// The first problem of a file, and the number of lines that have been read.
 #[derive(Default)]
@@ -37,7 +38,7 @@ impl Problems {
 /// with six numbers, of which the last three are no numbers where they have no colour; faces with places and
 /// places in textures, numbered from 1.
 pub struct Lines<'a> {
-    text: TextLines<'a>,
+    statements: Statements<'a>,
     problems: &'a Problems,
     /// The present line, and how much of it has been read.
     line: String,
@@ -51,19 +52,25 @@ impl<'a> Lines<'a> {
     /// Returns the lines of `text`; reading ends at the first of the `problems`.
     pub fn new(text: &'a str, problems: &'a Problems) -> Self {
         let (line, read) = (String::new(), 0);
-        Self { text: text.lines(), problems, line, read, corners: 0, in_textures: 0, triangles: 0 }
+        let statements = Statements::new(text);
+        Self { statements, problems, line, read, corners: 0, in_textures: 0, triangles: 0 }
     }
 
-    /// Makes `line` the present one, as far as it is needed.
-    fn take(&mut self, line: &str) -> Result<(), String> {
-        let line = line.split('#').next().unwrap_or_default().trim();
+    /// Makes a statement the present line, as far as it is needed.
+    fn take(&mut self, statement: &str) -> Result<(), String> {
+        let line = statement.split('#').next().unwrap_or_default().trim();
         let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
         match word {
             "v" => self.corner(rest.split_whitespace())?,
             "vt" => self.in_texture(rest.split_whitespace())?,
             "f" => self.face(rest.split_whitespace())?,
-            "mtllib" | "usemtl" if rest.is_empty() => return Err(format!("{word} needs a name")),
-            "mtllib" | "usemtl" | "o" | "g" => self.line.extend([word, " ", rest.trim()]),
+            "mtllib" | "usemtl" | "o" | "g" => {
+                let (_, name) = word_and_name(statement);
+                if name.is_empty() && word.len() > 1 {
+                    return Err(format!("{word} needs a name"));
+                }
+                self.line.extend([word, " ", name]);
+            }
             _ => return Ok(()),
         }
         self.line.push('\n');
@@ -138,9 +145,9 @@ impl BufRead for Lines<'_> {
         while self.read == self.line.len() && self.problems.first().is_ok() {
             self.line.clear();
             self.read = 0;
-            let Some(line) = self.text.next() else { break };
-            self.problems.line.set(self.problems.line.get() + 1);
-            self.take(line).unwrap_or_else(|problem| self.problems.add(&problem));
+            let Some((number, statement)) = self.statements.next() else { break };
+            self.problems.line.set(number);
+            self.take(&statement).unwrap_or_else(|problem| self.problems.add(&problem));
         }
         self.problems.first().map_err(io::Error::other)?;
         Ok(&self.line.as_bytes()[self.read..])
@@ -149,11 +156,6 @@ impl BufRead for Lines<'_> {
     fn consume(&mut self, count: usize) {
         self.read += count;
     }
-}
-
-/// Returns the text of a file.
-pub fn text_of(bytes: &[u8]) -> Result<&str, String> {
-    std::str::from_utf8(bytes).map_err(|_| "it is not text in UTF-8".to_owned())
 }
 
 fn number(word: &str) -> Result<f64, String> {

@@ -1,17 +1,21 @@
 //! A model of a scene file: triangles from a file beside it, scaled, turned and placed.
 
 mod accessor;
+mod companions;
 mod files;
 mod gltf;
 mod limits;
 mod lines;
+mod materials;
 mod obj;
 mod parts;
 mod picture;
+mod report;
 pub mod ridden;
 mod rolling;
 #[cfg(test)]
 mod tests;
+mod text;
 mod textures;
 
 use std::path::Path;
@@ -21,8 +25,11 @@ use glam::{DMat3, DVec3};
 use relativity_core::Turning;
 use relativity_render::{Body, RawModel};
 
+use self::companions::Companions;
 pub(super) use self::files::ModelFiles;
 use self::parts::NamedModel;
+pub use self::report::ModelReport;
+pub(super) use self::report::Models;
 use super::error::{Located, SceneProblem};
 use super::light::brightness;
 use super::object::Object;
@@ -57,7 +64,7 @@ pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
     };
     let wheels = table.strings("wheels")?.unwrap_or_default();
     let turning = turning(table, &wheels, changes)?;
-    let mut named = read(&table.models, path).map_err(refused)?;
+    let mut named = table.models.open(path).map_err(refused)?;
     for corner in &mut named.model.corners {
         *corner = (axes * DVec3::from(*corner) + DVec3::from(place)).to_array();
     }
@@ -119,14 +126,18 @@ pub fn is_model(path: &Path) -> bool {
     ending.is_some_and(|ending| ENDINGS.iter().any(|known| known.eq_ignore_ascii_case(ending)))
 }
 
-/// Reads the model in the file at `path`, by its ending.
-fn read(files: &ModelFiles<'_>, path: &str) -> Result<NamedModel, String> {
+/// Reads the model in the file at `path`, by its ending, with remarks on it.
+fn read(files: &ModelFiles<'_>, path: &str) -> Result<(NamedModel, Vec<String>), String> {
     let ending = path.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
-    let beside = |name: &str| files.read(&beside(path, name));
     if !ENDINGS.contains(&ending.as_str()) {
         return Err("it must end in .glb, .gltf or .obj".to_owned());
     }
-    parsed(&ending, &files.read(path)?, &beside)
+    let folder = path.rfind('/').map_or("", |end| &path[..=end]);
+    let read = |name: &str| files.read(&format!("{folder}{name}"));
+    let spelt = |name: &str| Some(files.spelt(&format!("{folder}{name}"))?.strip_prefix(folder)?.to_owned());
+    let companions = Companions::new(&read, &spelt);
+    let named = parsed(&ending, &files.read(path)?, &companions)?;
+    Ok((named, companions.into_remarks()))
 }
 
 /// Reads a model from the bytes of a file with this ending, `glb`, `gltf` or `obj`, without any file beside
@@ -136,24 +147,20 @@ fn read(files: &ModelFiles<'_>, path: &str) -> Result<NamedModel, String> {
 ///
 /// Contents that are none, or need another file, in one line.
 pub fn read_model(ending: &str, bytes: &[u8]) -> Result<RawModel, String> {
-    parsed(ending, bytes, &|name| Err(format!("there is no {name}"))).map(|named| named.model)
+    let companions = Companions::new(&|name| Err(format!("there is no {name}")), &|_| None);
+    parsed(ending, bytes, &companions).map(|named| named.model)
 }
 
-fn parsed(
-    ending: &str,
-    bytes: &[u8],
-    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-) -> Result<NamedModel, String> {
-    let mut named = if ending == "obj" { obj::model(bytes, beside) } else { gltf::model(bytes, beside) }?;
+fn parsed(ending: &str, bytes: &[u8], companions: &Companions<'_>) -> Result<NamedModel, String> {
+    let parse = if ending == "obj" { obj::model } else { gltf::model };
+    let mut named = parse(bytes, companions)?;
     if named.model.materials.iter().all(Option::is_none) {
         named.model.materials.clear();
     }
+    if !named.model.reversed.contains(&true) {
+        named.model.reversed.clear();
+    }
     Ok(named)
-}
-
-/// The path of the file called `name` beside that at `path`.
-fn beside(path: &str, name: &str) -> String {
-    path.rsplit_once('/').map_or(name.to_owned(), |(folder, _)| format!("{folder}/{name}"))
 }
 
 /// The name of a file without its folder and its ending.

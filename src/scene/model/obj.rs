@@ -4,133 +4,108 @@
 //! Everything else in a file (normals, lines, smoothing) is passed over. The crate `tobj` reads what
 //! [`lines`](super::lines) have been checked of it: numbers in f64, and faces by material.
 
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::path::Path;
 
 use relativity_render::colour::srgb_decoded;
 use relativity_render::{RawModel, Wrap};
-use tobj::{LoadError, LoadOptions, MTLLoadResult, Material, Mesh};
+use tobj::{LoadError, LoadOptions, Mesh};
 
 use super::super::light::measured;
-use super::lines::{Lines, Problems, text_of};
+use super::companions::Companions;
+use super::lines::{Lines, Problems};
+use super::materials::{Map, Material, Materials};
 use super::parts::{NamedModel, NamedPart};
+use super::text::text_of;
 use super::textures::Textures;
 
 /// Paint of what has none.
 const WHITE: [f32; 3] = [1.0; 3];
 
-/// Reads a model; `beside` reads the files that it names.
-pub(super) fn model(
-    bytes: &[u8],
-    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-) -> Result<NamedModel, String> {
-    let problems = Problems::default();
-    let mut lines = Lines::new(text_of(bytes)?, &problems);
+/// Reads a model.
+pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedModel, String> {
+    let (problems, text) = (Problems::default(), text_of(bytes));
+    let mut lines = Lines::new(&text, &problems);
     let options =
         LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
-    let library = |name: &Path| {
-        let read = library(&name.to_string_lossy(), beside);
-        read.unwrap_or_else(|problem| {
+    let materials = RefCell::new(Materials::default());
+    let library = |names: &Path| {
+        let loaded = materials.borrow_mut().load(&names.to_string_lossy(), companions);
+        loaded.unwrap_or_else(|problem| {
             problems.add(&problem);
             Err(LoadError::OpenFileFailed)
         })
     };
     let loaded = tobj::load_obj_buf(&mut lines, &options, library);
     problems.first()?;
-    let (meshes, materials) = loaded.map_err(|error| problems.located(&error.to_string()))?;
-    let materials = materials.map_err(|error| problems.located(&error.to_string()))?;
-    let (mut model, mut textures) = (RawModel::default(), Textures::new());
+    let (meshes, _) = loaded.map_err(|error| problems.located(&error.to_string()))?;
+    let materials = materials.into_inner().all;
+    let mut reader = ModelReader { companions, textures: Textures::new(), model: RawModel::default() };
     // Those of several materials are in several pieces.
     let (mut parts, mut numbers) = (Vec::<NamedPart>::new(), HashMap::new());
     for tobj::Model { mesh, name } in &meshes {
         let material = mesh.material_id.and_then(|number| materials.get(number));
-        let first = model.triangles.len();
-        add(mesh, material, beside, &mut model, &mut textures)?;
+        let first = reader.model.triangles.len();
+        reader.add(mesh, material)?;
         let number = *numbers.entry(name).or_insert_with(|| {
             parts.push(NamedPart { name: name.clone(), triangles: Vec::new() });
             parts.len() - 1
         });
-        parts[number].triangles.push(first..model.triangles.len());
+        parts[number].triangles.push(first..reader.model.triangles.len());
     }
+    let ModelReader { textures, mut model, .. } = reader;
     textures.put_into(&mut model);
     Ok(NamedModel { model, parts })
 }
 
-/// Reads the materials in the file called `name`: their diffuse colours, linear, and textures.
-fn library(name: &str, beside: &dyn Fn(&str) -> Result<Vec<u8>, String>) -> Result<MTLLoadResult, String> {
-    let bytes = beside(&name.replace('\\', "/"))?;
-    let mut kept = String::new();
-    for line in text_of(&bytes)?.lines() {
-        let (word, rest) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
-        let needed = match word {
-            "newmtl" => (rest.is_empty()).then_some("a name"),
-            "map_Kd" => (rest.is_empty()).then_some("a file"),
-            "Kd" => {
-                let numbers = rest.split_whitespace().take(3).map(str::parse::<f64>);
-                (numbers.flatten().count() < 3).then_some("three numbers")
+/// A model that is being read.
+struct ModelReader<'a> {
+    companions: &'a Companions<'a>,
+    /// By the folders and names of their files, and their continuation.
+    textures: Textures<(String, String, Wrap)>,
+    model: RawModel,
+}
+
+impl ModelReader<'_> {
+    /// Adds the triangles of a mesh of one material.
+    fn add(&mut self, mesh: &Mesh, material: Option<&Material>) -> Result<(), String> {
+        let map = material.and_then(|it| it.picture.as_ref()).filter(|_| !mesh.texcoord_indices.is_empty());
+        let texture = map.map_or(RawModel::NO_TEXTURE, |map| self.texture(map));
+        // Beside a picture, black is what some programs write for no colour.
+        let diffuse = material.and_then(|it| it.diffuse).filter(|it| map.is_none() || *it != [0.0; 3]);
+        let paint = diffuse.unwrap_or(WHITE);
+        let (places, colours) = (mesh.positions.as_chunks::<3>().0, mesh.vertex_color.as_chunks::<3>().0);
+        let (in_textures, model) = (mesh.texcoords.as_chunks::<2>().0, &mut self.model);
+        let mut numbers = HashMap::new();
+        for (at, &corner) in mesh.indices.iter().enumerate() {
+            let in_texture = map.map(|map| (map, mesh.texcoord_indices[at] as usize));
+            let key = (corner, in_texture.map(|(_, number)| number));
+            let number = *numbers.entry(key).or_insert_with(|| {
+                let own = colours[corner as usize];
+                let own = (!own[0].is_nan()).then(|| own.map(|part| srgb_decoded(part) as f32));
+                model.corners.push(places[corner as usize]);
+                model.paints.push(own.unwrap_or(paint));
+                let place = in_texture.map_or([0.0; 2], |(map, number)| map.placed(in_textures[number]));
+                model.texture_places.push(place);
+                model.corners.len() as u32 - 1
+            });
+            match model.triangles.last_mut().filter(|_| at % 3 != 0) {
+                Some(triangle) => triangle[at % 3] = number,
+                None => model.triangles.push([number; 3]),
             }
-            _ => continue,
-        };
-        if let Some(needed) = needed {
-            return Err(format!("{word} in {name} needs {needed}"));
         }
-        kept.extend([word, " ", rest.trim(), "\n"]);
+        model.texture_numbers.resize(model.triangles.len(), texture);
+        let measured = material.map_or(Ok(None), |material| measured(&material.name))?;
+        model.materials.resize(model.triangles.len(), measured);
+        Ok(())
     }
-    Ok(tobj::load_mtl_buf(&mut kept.as_bytes()))
-}
 
-/// Adds the triangles of a mesh of one material to `model`.
-fn add(
-    mesh: &Mesh,
-    material: Option<&Material>,
-    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-    model: &mut RawModel,
-    textures: &mut Textures<String>,
-) -> Result<(), String> {
-    let texture = match material.and_then(|material| material.diffuse_texture.as_ref()) {
-        Some(name) if !mesh.texcoord_indices.is_empty() => Some(texture(name, beside, textures)?),
-        _ => None,
-    };
-    let diffuse =
-        material.and_then(|material| material.diffuse).map(|colour| colour.map(|part| part.clamp(0.0, 1.0)));
-    // Beside a texture, black is what some programs write for no colour.
-    let diffuse = diffuse.filter(|colour| texture.is_none() || *colour != [0.0; 3]);
-    let paint = diffuse.map_or(WHITE, |colour| colour.map(|part| part as f32));
-    let (places, colours) = (mesh.positions.as_chunks::<3>().0, mesh.vertex_color.as_chunks::<3>().0);
-    let in_textures = mesh.texcoords.as_chunks::<2>().0;
-    let mut numbers = HashMap::new();
-    for (at, &corner) in mesh.indices.iter().enumerate() {
-        let in_texture = texture.map(|_| mesh.texcoord_indices[at] as usize);
-        let number = *numbers.entry((corner, in_texture)).or_insert_with(|| {
-            let own = colours[corner as usize];
-            let own = (!own[0].is_nan()).then(|| own.map(|part| srgb_decoded(part) as f32));
-            model.corners.push(places[corner as usize]);
-            model.paints.push(own.unwrap_or(paint));
-            // The first row of a picture is at the top.
-            let place = in_texture.map_or([0.0, 1.0], |number| in_textures[number]);
-            model.texture_places.push([place[0] as f32, (1.0 - place[1]) as f32]);
-            model.corners.len() as u32 - 1
-        });
-        match model.triangles.last_mut().filter(|_| at % 3 != 0) {
-            Some(triangle) => triangle[at % 3] = number,
-            None => model.triangles.push([number; 3]),
-        }
+    /// Returns the number of the texture of a material.
+    fn texture(&mut self, map: &Map) -> u32 {
+        let key = (map.folder.clone(), map.file.clone(), map.wrap);
+        self.textures.number(key, [map.wrap; 2], self.companions, || {
+            Ok((self.companions.find(&map.file, &["", &map.folder])?, map.file.clone()))
+        })
     }
-    model.texture_numbers.resize(model.triangles.len(), texture.unwrap_or(RawModel::NO_TEXTURE));
-    let measured = material.map_or(Ok(None), |material| measured(&material.name))?;
-    model.materials.resize(model.triangles.len(), measured);
-    Ok(())
-}
-
-/// Returns the number of the texture in the file called `name`.
-fn texture(
-    name: &str,
-    beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-    textures: &mut Textures<String>,
-) -> Result<u32, String> {
-    if name.starts_with('-') {
-        return Err(format!("map_Kd {name} has options, which are not known here"));
-    }
-    let name = name.replace('\\', "/");
-    textures.number(name.clone(), [Wrap::Repeat; 2], || Ok((beside(&name)?, name)))
 }

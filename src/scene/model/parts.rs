@@ -94,6 +94,7 @@ fn taken<'a>(model: &RawModel, triangles: impl Iterator<Item = (usize, &'a Optio
             *number
         });
         taken.triangles.push(numbers);
+        taken.reversed.extend(model.reversed.get(triangle));
         taken.materials.extend(model.materials.get(triangle));
         let Some(&texture) = model.texture_numbers.get(triangle) else { continue };
         let number = textures.get_mut(texture as usize).map_or(RawModel::NO_TEXTURE, |number| {

@@ -27,7 +27,7 @@ const ROAD: f64 = -2.5;
 /// A model outside the folder, or that cannot be read, in one line.
 pub fn text(path: &Path, folder: &Path) -> Result<String, String> {
     let name = path_within(path, folder)?;
-    let model = read(&ModelFiles::Folder(folder), &name).map_err(|reason| one_line(&reason))?.model;
+    let model = read(&ModelFiles::Folder(folder), &name).map_err(|reason| one_line(&reason))?.0.model;
     let street = presets::text("street").and_then(|text| Some(&text[text.find("[[group]]")?..]));
     let title: String = stem(&name).chars().take(sizes::NAME_LETTERS).collect();
     let quoted = |text: &str| toml::Value::from(text).to_string();

@@ -3,9 +3,11 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
+use gamow_platform::messages;
 use relativity_render::geometry::triangles::MOST_TEXELS;
 use relativity_render::{RawModel, Texture, Wrap};
 
+use super::companions::Companions;
 use super::picture;
 
 /// The textures so far, by what the file calls them.
@@ -21,24 +23,36 @@ impl<Key: Eq + Hash> Textures<Key> {
     }
 
     /// Returns the number of the texture called `key`: from the bytes of its file and the name of that for
-    /// messages, unless it is known already.
+    /// messages, unless it is known already. One that cannot be read is remarked, and is none.
     pub fn number(
         &mut self,
         key: Key,
         wrap: [Wrap; 2],
+        companions: &Companions<'_>,
+        file: impl FnOnce() -> Result<(Vec<u8>, String), String>,
+    ) -> u32 {
+        if let Some(number) = self.numbers.get(&key) {
+            return *number;
+        }
+        let number = self.read(wrap, file).unwrap_or_else(|problem| {
+            companions.remark(format!("a picture is left out: {problem}"));
+            RawModel::NO_TEXTURE
+        });
+        self.numbers.insert(key, number);
+        number
+    }
+
+    fn read(
+        &mut self,
+        wrap: [Wrap; 2],
         file: impl FnOnce() -> Result<(Vec<u8>, String), String>,
     ) -> Result<u32, String> {
-        if let Some(number) = self.numbers.get(&key) {
-            return Ok(*number);
-        }
         let (bytes, name) = file()?;
         let used: u64 = self.all.iter().map(|texture| texture.texels.len() as u64).sum();
         let texture = picture::texture(&bytes, wrap, MOST_TEXELS.saturating_sub(used))
-            .map_err(|problem| format!("cannot read {name}: {problem}"))?;
-        let number = self.all.len() as u32;
+            .map_err(|problem| format!("cannot read {}: {problem}", messages::excerpt(&name)))?;
         self.all.push(texture);
-        self.numbers.insert(key, number);
-        Ok(number)
+        Ok(self.all.len() as u32 - 1)
     }
 
     /// Moves the textures into `model`, which names one for every triangle and a place for every corner;

@@ -40,7 +40,8 @@ pub use simulation::Simulation;
 pub use trial::Rolling;
 
 pub(crate) use problem::{Free, NormalEquations, Problem};
-pub(crate) use regular::RegularProblem;
+pub(crate) use regular::{RegularProblem, height};
+pub(crate) use trial::Trial;
 
 use nalgebra::{Matrix4, Vector4};
 
@@ -48,7 +49,6 @@ use crate::math;
 use descent::Minimum;
 use prepare::PreparedData;
 use search::Starts;
-use trial::Trial;
 
 /// The accuracy of a fit of curves without noise: the largest error of beta, y, z and x0 for the paper's
 /// object, with every choice of model and curves, x0 known or not (`tests/fit.rs`).

@@ -36,6 +36,11 @@ impl<'a> RegularProblem<'a> {
         Free::new(free[0], free[1], z * z / (math::hypot(z, scale) + scale), free[3])
     }
 
+    /// Derivative of beta by ln(rapidity).
+    pub fn speed_slope(&self, trial: &Trial) -> f64 {
+        self.problem.chain(trial)[0]
+    }
+
     /// The object that `parameters` describe; z = 0 for u below 0.
     pub fn trial(&self, parameters: &Free) -> Option<Trial> {
         let z = self.scale.map_or(parameters[2], |scale| height(parameters[2], scale));
@@ -105,7 +110,7 @@ impl<'a> RegularProblem<'a> {
 }
 
 /// The z for which hypot(z, scale) - scale is `u`.
-fn height(u: f64, scale: f64) -> f64 {
+pub(crate) fn height(u: f64, scale: f64) -> f64 {
     let u = u.max(0.0);
     (u * (u + 2.0 * scale)).sqrt()
 }

@@ -48,6 +48,7 @@ pub struct ScreenLight {
 
 impl Light {
     /// Returns the light of `emission`, as `appearance` takes it.
+    #[must_use]
     pub fn new(emission: Emission, appearance: &Appearance) -> Self {
         match (appearance.colour, emission) {
             (Colour::False, _) => Self::Map,
@@ -75,7 +76,7 @@ impl Light {
 
     /// Returns the band in which this light is received at `doppler_factor`: visible, infrared or
     /// ultraviolet.
-    pub fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
+    pub(crate) fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
         let shift = if appearance.doppler_shift { doppler_factor } else { 1.0 };
         match self {
             Self::Line(nm) => Band::from_wavelength(nm / shift),
@@ -87,14 +88,14 @@ impl Light {
     }
 
     /// Returns the colour and the unseen share at `doppler_factor`, for a surface that faces the light.
-    #[cfg(test)]
+    #[must_use]
     pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> ScreenLight {
         self.shown_facing(appearance, doppler_factor, None, Paint::WHITE)
     }
 
     /// Returns colour and unseen share, on this `paint` of a model; `facing` the street's daylight, if that
     /// lights it.
-    pub fn shown_facing(
+    pub(crate) fn shown_facing(
         self,
         appearance: &Appearance,
         doppler_factor: f64,
@@ -170,7 +171,7 @@ impl Light {
     /// Smooth paint that is not grey is the shares of red and green in it, the exponent n of D^n, and log2 of
     /// the sum of its primaries, exposed. Any other light is one less than the negative of its row in the tables, its place
     /// there at rest, n, and log2 of its exposure. At rest it is linear sRGB, exposed, and the unseen share.
-    pub fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
+    pub(crate) fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
         let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
         let in_row = |row: Row, log2: f64, level: f64| {
             let number = -1.0 - row.number() as f64;

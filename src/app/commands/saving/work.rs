@@ -190,7 +190,7 @@ fn written(path: PathBuf, text: &str) -> anyhow::Result<SaveOutcome> {
 
 /// The numbers of a fit, and a remark on them.
 fn fitted(key: &FitKey) -> anyhow::Result<(FitReport, String)> {
-    let Fittable { observations, options } = key.fittable().map_err(anyhow::Error::msg)?;
+    let Fittable { observations, options, .. } = key.fittable().map_err(anyhow::Error::msg)?;
     let report = |replicates| FitReport::new(&observations, &options, replicates, key.setup.seed);
     // Where the replicates cannot be fitted, the numbers are those that stand in the tab.
     Ok(match report(DEFAULT_REPLICATES) {

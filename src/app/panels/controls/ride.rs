@@ -1,14 +1,15 @@
 //! The controls of one's own ride: getting on and off, its speed, its start and its legs.
 
-use eframe::egui::{Id, RichText, Ui};
+use eframe::egui::{Button, Id, RichText, Ui};
 
 use super::speed::{self, SpeedControl};
 use crate::app::commands::actions::with_keys;
-use crate::app::commands::{Command, SettingsCommand};
+use crate::app::commands::{Command, SettingsCommand, Switch};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::riding::saddle::RideCommand;
 use crate::app::widgets::{NumberRow, row, typed_text};
+use crate::flags::choices::Compare;
 use crate::flags::{RideLegs, SpeedSetting, StreetVelocity};
 use crate::number_text;
 use crate::settings::{AZIMUTH, ELEVATION, MAX_LENGTH, PUSH, Riding, about};
@@ -21,6 +22,9 @@ const SPEED_TIP: &str = "Pedals or brakes until this speed is reached: v/c, belo
 
 const FACE_TIP: &str = "Turns your head to where you ride. On a ride that is pushed aside the head keeps its way as a gyroscope \
     does, and turns against the street.";
+
+const STANDING_TIP: &str =
+    "Shows beside your picture what somebody sees who stands where you ride, at the same event.";
 
 /// Shows the rows of the section.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -60,11 +64,16 @@ pub fn button(ui: &mut Ui, state: &State, commands: &mut Commands) {
             "Puts you on a bicycle on the road, at first at rest. The arrow keys ↑ and ↓ pedal and brake.",
         )
     };
-    let buttons = [(text, tip, RideCommand::Toggle), ("Face ahead", FACE_TIP, RideCommand::Face)];
+    let is_standing = is_on && state.document.settings.look.compare == Compare::Standing;
+    let buttons = [
+        (text, tip, false, Command::Ride(RideCommand::Toggle)),
+        ("Face ahead", FACE_TIP, false, Command::Ride(RideCommand::Face)),
+        ("Beside standing", STANDING_TIP, is_standing, SettingsCommand::Switch(Switch::Standing).into()),
+    ];
     row(ui, "Ride", tip, |ui| {
-        for (text, tip, asked) in buttons.into_iter().take(if is_on { 2 } else { 1 }) {
-            let asked = Command::Ride(asked);
-            if ui.button(text).on_hover_text(with_keys(tip, std::slice::from_ref(&asked))).clicked() {
+        for (text, tip, is_chosen, asked) in buttons.into_iter().take(if is_on { 3 } else { 1 }) {
+            let button = ui.add(Button::new(text).selected(is_chosen));
+            if button.on_hover_text(with_keys(tip, std::slice::from_ref(&asked))).clicked() {
                 commands.push(asked);
             }
         }

@@ -62,7 +62,7 @@ impl SpeedControl<'_> {
     }
 }
 
-/// Shows a speed with its fields. Returns a speed if the user gave one, or asked for the default.
+/// Shows a speed with its fields. Returns a speed if the user gave one, or requested the default.
 pub fn show(ui: &mut Ui, control: SpeedControl<'_>) -> Option<SpeedSetting> {
     let title = ui.horizontal(|ui| {
         let name = ui.add(Label::new(control.title()).selectable(false)).on_hover_text(control.tip());

@@ -14,7 +14,7 @@ use crate::app::widgets::named_text;
 use crate::number_text;
 use crate::quantity::Quantity;
 
-/// Shows the title.
+/// Shows the title above a plot.
 pub(super) fn show(ui: &mut Ui, state: &State, chart: &TimePlot<'_>) {
     let room = vec2((ui.available_width() - Y_AXIS_WIDTH).max(1.0), TextStyle::Body.resolve(ui.style()).size);
     ui.horizontal(|ui| {

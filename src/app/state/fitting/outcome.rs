@@ -16,9 +16,10 @@ use serde::{Deserialize, Serialize};
 use super::plot_line::PlotLine;
 use crate::app::state::plots::curves::Bends;
 use crate::app::tools::worker::{StepOutcome, Wanted, Work};
+use crate::estimate::outliers::{self, Outlier};
 use crate::estimate::residuals::{self, Residuals};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
-use crate::estimate::{Estimate, estimate, other_side};
+use crate::estimate::{Estimate, cause, estimate, other_side};
 use crate::plot::CurveSample;
 
 /// The samples and what became of them.
@@ -60,6 +61,11 @@ pub struct Fitted {
     pub residuals: Option<Residuals>,
     /// Warning that the fit cannot be right, as its residuals follow one another.
     pub warning: Option<String>,
+    /// What may be wrong with a file's readings, if something explains them, with the command that fits them
+    /// then.
+    pub cause: Option<String>,
+    /// Readings that stand out, in words.
+    pub outliers: Option<String>,
     /// The remark on z of the other sign, where that fits within the noise too.
     pub other_side: Option<String>,
     /// Why the uncertainties are by linearisation, not by the bootstrap.
@@ -76,6 +82,8 @@ pub struct FittedCurve {
     pub band: Vec<[f64; 2]>,
     /// Sample minus best fit.
     pub residuals: PlotLine,
+    /// Samples that stand out, and what is left of these.
+    pub outliers: [PlotLine; 2],
 }
 
 /// Greatest number of times at which the band is computed; in between it is interpolated.
@@ -215,6 +223,7 @@ impl Fitted {
         let residuals = best.serial.map(Residuals::from);
         let is_chance = residuals::are_chance(best);
         let observed = &samples.observations;
+        let found = outliers::find(best, observed);
         let at_samples: Vec<_> =
             observed.samples().iter().map(|sample| fitted_angles(best, sample.pair, sample.time)).collect();
         Ok(Self {
@@ -225,7 +234,7 @@ impl Fitted {
                 (observed, &at_samples),
                 range,
                 best,
-                replicates.as_ref().filter(|_| is_chance),
+                (replicates.as_ref().filter(|_| is_chance), &found),
             ),
             at_samples,
             rms: best.rms,
@@ -233,10 +242,19 @@ impl Fitted {
             readings: best.readings,
             residuals,
             warning: residuals::remark(&[(best.options.curves.name(), residuals)]),
+            cause: if is_chance { None } else { cause_of(key, samples, best) },
+            outliers: outliers::remark(&found),
             other_side: other_side::remark(best),
             no_bootstrap,
         })
     }
+}
+
+/// What explains the readings of a file that `best` does not, and the command for it.
+fn cause_of(key: &FitKey, samples: &Fittable, best: &Fit) -> Option<String> {
+    let Samples::Measured(file, _) = &key.samples else { return None };
+    let cause = cause::find(&samples.observations, &samples.options, Some(best.rms), samples.said)?;
+    Some(cause.told(&file.name, ""))
 }
 
 /// Delta-phi and Delta-theta of the best fit for a pair of eyes, where they are numbers.
@@ -250,7 +268,7 @@ fn curves(
     (observed, at_samples): (&Observations, &[Option<[f64; 2]>]),
     range: [f64; 2],
     best: &Fit,
-    replicates: Option<&Bootstrap>,
+    (replicates, outliers): (Option<&Bootstrap>, &[Outlier]),
 ) -> [Option<FittedCurve>; 2] {
     let Some(&pair) = observed.pairs().first() else { return [None, None] };
     let bends = bends_of(key, pair, range, best);
@@ -262,10 +280,19 @@ fn curves(
         let residual = |(sample, fitted): (&Measured, &Option<[f64; 2]>)| {
             Some(PlotPoint::new(sample.time, reading(sample, curve)? - (*fitted)?[curve]))
         };
+        let value = |(sample, _): (&Measured, _)| Some(PlotPoint::new(sample.time, reading(sample, curve)?));
+        let samples = || observed.samples().iter().zip(at_samples);
+        let of_curve = outliers.iter().filter(|found| found.curve == curve);
+        let places: Vec<usize> = of_curve.map(|found| found.sample).collect();
+        let standing_out = || places.iter().filter_map(|&place| samples().nth(place));
         used[curve].then(|| FittedCurve {
             line: lines.iter().map(|line| PlotPoint::new(line.time, line.values[curve])).collect(),
             band: bands.iter().map(|band| band[curve]).collect(),
-            residuals: observed.samples().iter().zip(at_samples).filter_map(residual).collect(),
+            residuals: samples().filter_map(residual).collect(),
+            outliers: [
+                standing_out().filter_map(value).collect(),
+                standing_out().filter_map(residual).collect(),
+            ],
         })
     })
 }
@@ -353,7 +380,7 @@ mod tests {
             }
         };
         assert!(count > 5, "it could be stopped only {count} times");
-        let Fittable { observations, options } = key().fittable().expect("there are samples");
+        let Fittable { observations, options, .. } = key().fittable().expect("there are samples");
         let best = fit(&observations, &options).expect("they can be fitted");
         let replicates = bootstrap(&best, DEFAULT_REPLICATES, key().setup.seed).expect("and refitted");
         let outcome = sent(&outcome);

@@ -25,11 +25,11 @@ impl State {
         }
     }
 
-    /// Calls `asked` with the settings of one picture of a comparison: of the second, which has changes, if
+    /// Calls `query` with the settings of one picture of a comparison: of the second, which has changes, if
     /// `is_second`.
-    pub(in crate::app) fn of_picture<R>(&mut self, is_second: bool, asked: impl FnOnce(&mut Self) -> R) -> R {
+    pub(in crate::app) fn of_picture<R>(&mut self, is_second: bool, query: impl FnOnce(&mut Self) -> R) -> R {
         let kept = self.enter(is_second);
-        let found = asked(self);
+        let found = query(self);
         self.leave(kept);
         found
     }

@@ -16,14 +16,14 @@ pub struct ToldSpeed {
 }
 
 impl ToldSpeed {
-    /// Returns the speed as a number with its sign: `0.900`, or `−0.900` backwards. A rider reads it at a
-    /// glance.
+    /// Returns the speed as a number with its sign: `0.9`, or `−0.900` backwards. A rider reads it at a
+    /// glance while it changes, and so with a steady number of digits.
     #[must_use]
     pub fn number(&self) -> String {
         let number = if self.is_own {
             number_text::short_beta(&self.velocity.speed)
         } else {
-            number_text::beta(&self.velocity.speed)
+            number_text::trimmed_beta(&self.velocity.speed)
         };
         // Who has braked to rest has no direction.
         let is_backward = self.velocity.is_backward && number.contains(|digit| ('1'..='9').contains(&digit));
@@ -42,7 +42,7 @@ impl State {
     }
 
     /// Returns that speed in words, in Gamow's town in its unit, too: "I ride at 0.900 c" on a ride, else
-    /// "β = 0.900".
+    /// "β = 0.9".
     #[must_use]
     pub fn told_speed_text(&self) -> String {
         let told = self.told_speed();
@@ -54,7 +54,7 @@ impl State {
         }
     }
 
-    /// Returns the speed of the bodies beside the rider's own, in words: "cyclist at 0.500 c"; `None` where
+    /// Returns the speed of the bodies beside the rider's own, in words: "cyclist at 0.5 c"; `None` where
     /// nobody rides, and where no body moves.
     #[must_use]
     pub fn others_speed_text(&self) -> Option<String> {
@@ -68,7 +68,7 @@ impl State {
         let scene = &self.document.scene;
         let moving = scene.groups.iter().position(|group| group.motion == Motion::Scene)?;
         let name = scene.name_of_group(moving)?;
-        Some(format!("{name} at {}\u{a0}c", number_text::beta(&self.speed())))
+        Some(format!("{name} at {}\u{a0}c", number_text::trimmed_beta(&self.speed())))
     }
 
     /// Returns the speed that a push now aims at: that at the end of the leg that is under way, else the

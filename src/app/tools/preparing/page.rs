@@ -10,7 +10,7 @@ pub struct Preparing {
 }
 
 impl Preparing {
-    /// On this device.
+    /// A maker of pipelines on this device.
     pub fn new(ctx: &Context, gpu: &Gpu) -> Self {
         Self { ctx: ctx.clone(), maker: PipelineMaker::new(gpu) }
     }

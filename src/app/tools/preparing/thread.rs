@@ -10,7 +10,7 @@ use crate::app::tools::worker::{Wanted, Worker};
 pub struct Preparing(Worker<NeededPipeline, ()>);
 
 impl Preparing {
-    /// Nothing is asked for yet; each pipeline that is made is announced by a repaint.
+    /// A thread without requests; it requests a repaint for each pipeline that it makes.
     pub fn new(ctx: &Context, gpu: &Gpu) -> Self {
         let gpu = gpu.clone();
         let mut maker = None;

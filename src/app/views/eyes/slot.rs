@@ -40,8 +40,8 @@ impl EyePicture {
         self.drawn.as_ref().map(|&(.., method)| ShownPicture { texture: self.texture, method })
     }
 
-    /// Returns the picture, after `draw` has drawn the request `by` this method or what it says stood in for
-    /// that, unless it is up to date.
+    /// Returns the picture, after `draw` has drawn the request `by` this method or by the one it returns,
+    /// unless it is up to date.
     pub fn shown(
         &mut self,
         request: &Request,

@@ -135,7 +135,7 @@ fn say(ui: &Ui, pane: EyePane, instruments: &Instruments, places: Places) -> boo
     response.on_hover_text(TIP).hovered()
 }
 
-/// How far odometers and keys have not faded yet, 0 to 1: they come when a ride begins and on request.
+/// Opacity of odometers and keys, 0 to 1: they appear when a ride begins and on request, and fade.
 fn freshness(ui: &Ui, state: &State) -> f32 {
     let asked = (state.scratch.saddle.requests, state.document.preset.map(|preset| preset.name));
     let left = SHOWN - awake::shown_for(ui.ctx(), "odometers and keys", asked);

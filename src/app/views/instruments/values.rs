@@ -14,7 +14,7 @@ pub struct Instruments {
     pub speed: String,
     /// Lorentz factor of the rider: "γ = 10.1".
     pub gamma: String,
-    /// Its rapidity, without a direction.
+    /// The rider's rapidity, without a direction.
     pub rapidity: f64,
     /// The rider's clock.
     pub clock: String,

@@ -2,7 +2,7 @@
 //! slides them; before an audience, by the Doppler factor of what passes there.
 
 use eframe::egui::{
-    self, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, Visuals, accesskit::Role, pos2, vec2,
+    self, Align2, FontId, Painter, Rect, Sense, Stroke, Ui, Visuals, accesskit::Role, pos2, vec2,
 };
 use relativity_core::math;
 
@@ -12,6 +12,7 @@ use super::spectrum;
 use crate::app::state::State;
 use crate::app::views::panes::{EyePane, PaneTitle};
 use crate::app::widgets::theme;
+use crate::flags::choices::Form;
 use crate::number_text;
 use crate::plot::{Axis, LabelPlaces};
 
@@ -55,17 +56,17 @@ pub fn paint(
     // A lesson measures by speeds, and so does whoever has the controls.
     let is_in_window = pane.title == PaneTitle::Above;
     let has_speeds = is_in_window || state.session.lesson.is_some();
-    spectrum::paint(&painter, state, slide, columns, is_in_window);
+    let has_colours = spectrum::paint(&painter, state, slide, columns, is_in_window);
     let mut labels = LabelPlaces::new(columns.ticks.expand2(vec2(0.0, columns.ticks.height())), BETWEEN);
     if let Some(title) = title {
         labels.keep_free(title);
     }
-    let ruler = Ruler { painter, columns, visuals: ui.visuals(), is_in_window };
+    let ruler = Ruler { painter, columns, visuals: ui.visuals(), is_in_window, has_colours };
     let named = if has_speeds {
         if is_in_window {
             ruler.paint_fine_ticks();
         }
-        if title.is_none() {
+        if title.is_none() && is_first(state, pane) {
             ruler.paint_measured(&mut labels);
         }
         ruler.paint_named(speed_ticks(state.speed().beta()), &mut labels)
@@ -82,6 +83,12 @@ pub fn paint(
     let response = ui.interact(band, id, Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &name));
     response.on_hover_text(TIP);
+}
+
+/// Whether `pane` has the first of the rulers: of two pictures above each other only the lower one has one.
+fn is_first(state: &State, pane: EyePane) -> bool {
+    let picture = &state.document.settings.picture;
+    picture.layout.form() == Form::Above || picture.eyes().first() == Some(&pane.index())
 }
 
 /// The ticks of speeds, on both sides: the bodies' `own` first.
@@ -104,13 +111,15 @@ fn factor_tick((factor, u): (f64, f64)) -> NamedTick {
     NamedTick { u, text: spectrum::factor_text(factor), is_own: false }
 }
 
-/// What the ticks are drawn with, and where.
+/// The painter of the ticks, and their places.
 struct Ruler<'a> {
     painter: Painter,
     columns: &'a PixelColumns,
     visuals: &'a Visuals,
     /// Whether there is room for ticks above their names; else they stand in the spectrum.
     is_in_window: bool,
+    /// Whether the spectrum has colours.
+    has_colours: bool,
 }
 
 impl Ruler<'_> {
@@ -143,7 +152,7 @@ impl Ruler<'_> {
 
     /// Draws those of the `ticks` whose names have room, and returns these. A triangle marks the bodies' own.
     fn paint_named(&self, ticks: impl Iterator<Item = NamedTick>, labels: &mut LabelPlaces) -> Vec<String> {
-        let Self { painter, columns, visuals, is_in_window } = self;
+        let Self { painter, columns, visuals, is_in_window, has_colours } = self;
         let room = columns.ticks;
         let mut named = Vec::new();
         for NamedTick { u, text, is_own } in ticks {
@@ -157,8 +166,10 @@ impl Ruler<'_> {
             if labels.take_free([place]).is_none() {
                 continue;
             }
-            if !is_in_window {
-                painter.vline(x, columns.strip.y_range(), Stroke::new(2.0, Color32::WHITE));
+            if !is_in_window && *has_colours {
+                spectrum::paint_tick(painter, columns.strip, x);
+            } else if !is_in_window {
+                painter.vline(x, columns.strip.y_range(), Stroke::new(2.0, colour));
             } else if is_own {
                 let tip = pos2(x, room.min.y);
                 let corners = [vec2(4.0, NAMED_LENGTH), vec2(-4.0, NAMED_LENGTH)].map(|off| tip + off);

@@ -3,11 +3,11 @@
 //! D = cosh u/cosh(u + eta) depends on the column alone.
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, pos2, vec2};
-use relativity_core::math::{atanh, cosh, ln, log2, sinh, tanh};
+use relativity_core::math::{atanh, cosh, ln, sinh, tanh};
 use relativity_core::{Speed, aberration};
 use relativity_render::colour::spectrum::VISIBLE_NM;
-use relativity_render::colour::{false_colour, srgb_level};
-use relativity_render::{Colour, Geometry};
+use relativity_render::colour::srgb_level;
+use relativity_render::{Appearance, Colour, Geometry, Light};
 
 use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;
@@ -28,40 +28,72 @@ const BETWEEN: f32 = 6.0;
 const NAMED: [f64; 7] = [1.0, 2.0, 0.5, 4.0, 0.25, 10.0, 0.1];
 
 /// Draws it into its place among the `columns`; `with_names` has Doppler factors named in it where it shows
-/// no wavelengths.
+/// no wavelengths. Returns whether it has colours.
 pub fn paint(
     painter: &Painter,
     state: &State,
     slide: &SlidingView,
     columns: &PixelColumns,
     with_names: bool,
-) {
+) -> bool {
     let strip = columns.strip;
     let speed = match slide.view.geometry {
         Geometry::Seen => state.speed(),
         _ => Speed::REST,
     };
-    painter.rect_filled(strip, 0.0, INVISIBLE);
-    match (is_false(state), rest_wavelength(state)) {
-        (true, _) => paint_false_colours(painter, columns, strip, |u| doppler_factor(&speed, u)),
-        (false, Some(nm)) => paint_colours(painter, columns, strip, |u| nm / doppler_factor(&speed, u)),
-        (false, None) => {}
+    match StripLight::new(state) {
+        StripLight::Line(nm) => {
+            painter.rect_filled(strip, 0.0, INVISIBLE);
+            paint_colours(painter, columns, strip, |u| nm / doppler_factor(&speed, u));
+            return true;
+        }
+        StripLight::Broad(light) => {
+            let appearance = state.appearance(false);
+            paint_broad(painter, columns, strip, (light, &appearance), |u| doppler_factor(&speed, u));
+        }
+        StripLight::Unknown => return false,
     }
-    if with_names && (is_false(state) || rest_wavelength(state).is_none()) {
+    if with_names {
         paint_factors(painter, columns, strip, &speed);
+    }
+    true
+}
+
+/// The light whose colours the strip shows.
+enum StripLight {
+    /// Light of this wavelength at rest, nm, whose brightness is left out.
+    Line(f64),
+    /// Light of many wavelengths, or false colours, as bright as on a surface that faces the light.
+    Broad(Light),
+    /// The street's daylight, whose colours depend on which way a surface faces, too.
+    Unknown,
+}
+
+impl StripLight {
+    /// Returns the light of the selected point.
+    fn new(state: &State) -> Self {
+        if let Some(nm) = rest_wavelength(state).filter(|_| !is_false(state)) {
+            return Self::Line(nm);
+        }
+        if state.document.settings.light.colour == Colour::StreetDaylight {
+            return Self::Unknown;
+        }
+        let emission = state.emission(state.document.points.selected());
+        Self::Broad(Light::new(emission, &state.appearance(false)))
     }
 }
 
 /// The strip in words.
 pub fn description(state: &State) -> String {
-    match (is_false(state), rest_wavelength(state)) {
-        (true, _) => "the false colour of each column".to_owned(),
-        (false, Some(nm)) => format!("the spectrum of light of {}", in_words(&[nm])),
-        (false, None) => "the Doppler factor of each column".to_owned(),
+    match StripLight::new(state) {
+        StripLight::Broad(Light::Map) => "the false colour of each column".to_owned(),
+        StripLight::Line(nm) => format!("the spectrum of light of {}", in_words(&[nm])),
+        StripLight::Broad(_) => "the colour and the Doppler factor of each column".to_owned(),
+        StripLight::Unknown => "the Doppler factor of each column".to_owned(),
     }
 }
 
-/// Whether the bodies are drawn in false colours that tell their Doppler factors.
+/// Whether the bodies are drawn in false colours, which show their Doppler factors.
 fn is_false(state: &State) -> bool {
     let light = &state.document.settings.light;
     light.colour == Colour::False && light.doppler_shift
@@ -123,13 +155,26 @@ fn paint_colours(painter: &Painter, columns: &PixelColumns, strip: Rect, wavelen
     }
 }
 
-/// Fills `strip` with the false colour of each column, as on the bodies.
-fn paint_false_colours(painter: &Painter, columns: &PixelColumns, strip: Rect, factor: impl Fn(f64) -> f64) {
+/// Fills `strip` with the colour that `light` has in each column on the bodies, with this appearance.
+fn paint_broad(
+    painter: &Painter,
+    columns: &PixelColumns,
+    strip: Rect,
+    (light, appearance): (Light, &Appearance),
+    factor: impl Fn(f64) -> f64,
+) {
     let colour = |x: f32| {
-        let [r, g, b] = false_colour(log2(factor(columns.u(x)))).map(srgb_level);
+        let [r, g, b] = light.shown(appearance, factor(columns.u(x))).colour.map(srgb_level);
         Color32::from_rgb(r, g, b)
     };
     paint_strip(painter, strip, places(strip).map(|x| (x, colour(x))));
+}
+
+/// Draws a tick across the strip at `x`, which is seen on colours of any brightness.
+pub fn paint_tick(painter: &Painter, strip: Rect, x: f32) {
+    for (width, colour) in [(4.0, Color32::from_black_alpha(130)), (1.5, Color32::WHITE)] {
+        painter.vline(x, strip.y_range(), Stroke::new(width, colour));
+    }
 }
 
 fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: &Speed) {
@@ -144,7 +189,7 @@ fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: 
         let galley = painter.layout_no_wrap(factor_text(factor), font.clone(), Color32::WHITE);
         let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
         if labels.take_free([place]).is_some() {
-            painter.vline(x, strip.y_range(), Stroke::new(1.5, Color32::WHITE));
+            paint_tick(painter, strip, x);
             painter.rect_filled(place, 2.0, Color32::from_black_alpha(150));
             painter.galley(place.min, galley, Color32::WHITE);
         }

@@ -31,14 +31,14 @@ const PLOTS_SHARE: f32 = 0.38;
 /// the views leave more.
 const PLOTS_HEIGHT: f32 = 310.0;
 
-/// What decides on the height of the strip of plots, besides the room.
+/// Conditions for the height of the strip of plots, besides the room.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::app) struct StripNeeds {
     /// Height of the window.
     pub window: f32,
     /// Whether the window is as narrow as a phone's.
     pub is_narrow: bool,
-    /// Whether the strip has something that the pictures give way to: a table, or a map that is asked for.
+    /// Whether the strip has something that takes room from the pictures: a table, or a map on request.
     pub is_high: bool,
 }
 

@@ -53,12 +53,12 @@ pub struct WindowLayout {
 /// The part of a lesson that is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LessonPart {
-    /// No lesson.
+    /// No lesson is shown.
     #[default]
     Nothing,
     /// The strip of a folded panel.
     Strip,
-    /// The whole panel.
+    /// The panel with its text.
     Panel,
 }
 
@@ -144,13 +144,11 @@ impl WindowLayout {
         let room = if strip_height >= 1.5 * LOWEST { strip_height.max(strip) } else { strip_height };
         let below = Below::new(vec2(centre.width(), room), WindowSettings { map: map_below, ..window }, tab);
         let map_above = !window.views && window.map != Presence::Off;
-        let upper_height = match (window.views || map_above, below) {
-            (true, Below::Nothing) => free,
-            (true, _) if free >= lowest + LOWEST => free - strip_height,
-            (true, _) => free,
-            (false, _) => 0.0,
+        let has_room_for_strip = below != Below::Nothing && free >= lowest + LOWEST;
+        let (upper, rest) = match window.views || map_above {
+            true if has_room_for_strip => split_top(centre, free - strip_height),
+            is_there => split_top(centre, if is_there { free } else { 0.0 }),
         };
-        let (upper, rest) = split_top(centre, upper_height);
         let (spectrum, rest) = split_top(rest, words[0]);
         let (sentence, rest) = split_top(rest, words[1]);
         let (speed, rest) = split_top(rest, speed_height);
@@ -267,13 +265,6 @@ impl LessonPart {
 #[must_use]
 pub fn is_narrow(area: Rect) -> bool {
     area.width() < NARROWEST_WITH_CONTROLS
-}
-
-/// The views alone, in all of `area`.
-#[must_use]
-pub fn views(area: Rect, arranged: &Arrangement) -> Vec<Pane> {
-    let shared = arranged.whole_screen(area);
-    shared.or_else(|| Some(arranged.panes(large_enough(area)?))).unwrap_or_default()
 }
 
 /// Returns the place of a row of words in `rect`, unless it has no height.

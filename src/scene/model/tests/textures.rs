@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::{gltf, read, triangles};
 use crate::files::png;
 use crate::scene::Scene;
+use crate::scene::model::companions::Companions;
 use crate::scene::model::parsed;
 
 /// Sixteen columns and eight rows as JPEG: red on the left, blue on the right.
@@ -120,40 +121,58 @@ fn textures_of_gltf_begin_at_the_top_and_go_on_as_their_sampler_says() {
 }
 
 #[test]
-fn what_is_wrong_with_a_texture_is_said_in_one_line() {
+fn a_picture_that_cannot_be_read_is_left_out_with_a_remark() {
+    let remarks = |scene: Scene| {
+        assert!(triangles(&scene).textures().is_empty());
+        scene.models[0].remarks.clone()
+    };
+    let obj = |mtl: &str, picture: &[u8]| remarks(obj(mtl, picture).expect("it is drawn"));
+    let gltf = |change: &dyn Fn(&mut Value)| remarks(read_textured(change).expect("it is drawn"));
     let mtl = "newmtl wood\nmap_Kd maps/a.png\n";
-    let obj = |mtl: &str, picture: &[u8]| obj(mtl, picture).expect_err("it is wrong");
-    let gltf = |change: &dyn Fn(&mut Value)| read_textured(change).expect_err("it is wrong");
     let mut large = picture();
     large[16..24].copy_from_slice(&[0, 1, 0, 0, 0, 1, 0, 0]);
     let texts = [
-        (obj(mtl, b"GIF89a"), "cannot read maps/a.png: it is neither PNG nor JPEG"),
-        (obj(mtl, &picture()[..20]), "cannot read maps/a.png: as PNG, it ends too early"),
+        (obj(mtl, b"GIF89a"), "a picture is left out: cannot read maps/a.png: it is neither PNG nor JPEG"),
+        (
+            obj(mtl, &picture()[..20]),
+            "a picture is left out: cannot read maps/a.png: as PNG, it ends too early",
+        ),
         (
             obj(mtl, &large),
-            "cannot read maps/a.png: as PNG, it has 65536x65536 pixels; the textures of a model have at most 67108864 together",
+            "a picture is left out: cannot read maps/a.png: as PNG, it has 65536x65536 pixels; the textures of a model have at most 67108864 together",
         ),
-        (
-            obj("newmtl wood\nmap_Kd -s 1 1 1 maps/a.png", b""),
-            "map_Kd -s 1 1 1 maps/a.png has options, which are not known here",
-        ),
-        (obj("newmtl wood\nmap_Kd\n", b""), "line 1 of it: map_Kd in a.mtl needs a file"),
-        (obj("newmtl wood\nKd 1 1\n", b""), "line 1 of it: Kd in a.mtl needs three numbers"),
-        (obj("newmtl\n", b""), "line 1 of it: newmtl in a.mtl needs a name"),
+        (obj("newmtl wood\nmap_Kd\n", b""), "map_Kd in a.mtl is left out, as it has not a file"),
+        (obj("newmtl wood\nKd 1 1\n", b""), "Kd in a.mtl is left out, as it has not three numbers"),
         (
             obj("newmtl wood\nmap_Kd maps/b.png\n", b""),
-            "cannot read maps/b.png: No such file or directory (os error 2)",
+            "a picture is left out: cannot read maps/b.png: No such file or directory (os error 2)",
         ),
         (
             obj("newmtl wood\nmap_Kd ../b.png\n", b""),
-            "../b.png must lie in the folder of the scene file, or in a folder there",
+            "a picture is left out: ../b.png must lie in the folder of the scene file, or in a folder there",
         ),
-        (gltf(&|it| it["images"][0] = json!({})), "image 0 has no data"),
+        (gltf(&|it| it["images"][0] = json!({})), "a picture is left out: image 0 has no data"),
         (
             gltf(&|it| it["images"][0] = json!({ "uri": "data:image/png;base64,!" })),
-            "an image in it is not base64",
+            "a picture is left out: an image in it is not base64",
         ),
-        (gltf(&|it| it["bufferViews"][3]["byteLength"] = json!(9999)), "image 0 reaches beyond its data"),
+        (
+            gltf(&|it| it["bufferViews"][3]["byteLength"] = json!(9999)),
+            "a picture is left out: image 0 reaches beyond its data",
+        ),
+    ];
+    for (found, expected) in texts {
+        assert_eq!(found, [expected]);
+    }
+    assert_eq!(obj("newmtl\n", b""), [""; 0]);
+    let damaged = obj(mtl, &picture()[..50]).concat();
+    assert!(damaged.contains("cannot read maps/a.png: as PNG, ") && !damaged.contains('\n'), "{damaged}");
+}
+
+#[test]
+fn what_is_wrong_with_a_texture_is_said_in_one_line() {
+    let gltf = |change: &dyn Fn(&mut Value)| read_textured(change).expect_err("it is wrong");
+    let texts = [
         (
             gltf(&|it| it["textures"][0]["source"] = json!(4)),
             "textures[0].source names something that there is not",
@@ -166,8 +185,17 @@ fn what_is_wrong_with_a_texture_is_said_in_one_line() {
     for (found, expected) in texts {
         assert_eq!(found.split_once("\": ").map(|(_, reason)| reason), Some(expected));
     }
-    let damaged = obj(mtl, &picture()[..50]);
-    assert!(damaged.contains("cannot read maps/a.png: as PNG, ") && !damaged.contains('\n'), "{damaged}");
+}
+
+#[test]
+fn options_of_a_picture_scale_and_shift_it() {
+    let plain = obj("newmtl wood\nmap_Kd maps/a.png\n", &picture()).expect("it is right");
+    let moved = obj("newmtl wood\nmap_Kd -clamp off -s 2 1 1 -o 0.5 0 0 maps/a.png\n", &picture());
+    let moved = moved.expect("it is right");
+    for u in [0.375, 0.5, 0.625, 0.875] {
+        let at = |square: &Triangles, u: f32| paint(square, 0, [u - 0.25, 0.25]);
+        assert_eq!(at(triangles(&moved), u), at(triangles(&plain), (2.0 * u + 0.5) % 1.0), "{u}");
+    }
 }
 
 /// Every byte of a picture, one at a time, is another: nothing panics.
@@ -180,7 +208,8 @@ fn damaged_pictures_are_read_or_refused() {
                 damaged[place] = byte;
                 let mtl = b"newmtl wood\nmap_Kd a.png".to_vec();
                 let beside = |name: &str| Ok(if name == "a.mtl" { mtl.clone() } else { damaged.clone() });
-                let _ = parsed("obj", SQUARE.as_bytes(), &beside).map(|named| named.model.prepared());
+                let companions = Companions::new(&beside, &|_| None);
+                let _ = parsed("obj", SQUARE.as_bytes(), &companions).map(|named| named.model.prepared());
             }
         }
     }

@@ -49,6 +49,7 @@ pub struct Triangles {
     /// From the middle of the box, along its own axes.
     corners: Vec<Vec3>,
     faces: Vec<[u32; 3]>,
+    reversed: Vec<bool>,
     paints: Vec<[f32; 3]>,
     materials: Vec<Option<Material>>,
     textures: Vec<MipMap>,
@@ -78,7 +79,7 @@ impl Triangles {
     /// [`MOST_TEXELS`], for other than every triangle, or whose places are beyond [`MOST_WRAPS`].
     pub fn new(model: RawModel) -> Result<Self, TrianglesError> {
         model.check()?;
-        let RawModel { corners, triangles, paints, materials, textures, .. } = model;
+        let RawModel { corners, triangles, reversed, paints, materials, textures, .. } = model;
         let RawModel { texture_numbers, texture_places, is_two_sided, .. } = model;
         let used = triangles.iter().flatten().map(|&corner| DVec3::from(corners[corner as usize]));
         let [low, high] = used.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], corner| {
@@ -97,6 +98,7 @@ impl Triangles {
         let mut prepared = Self {
             corners,
             faces: triangles,
+            reversed,
             paints,
             materials,
             textures: textures.into_iter().map(MipMap::new).collect(),
@@ -133,6 +135,14 @@ impl Triangles {
     #[must_use]
     pub fn count(&self) -> usize {
         self.faces.len()
+    }
+
+    /// Returns the weights of the second and the third corner at a `point`, in the order of the file.
+    #[must_use]
+    pub fn weights_in_file(&self, point: TrianglePoint) -> [f32; 2] {
+        let [second, third] = point.weights;
+        let is_reversed = self.reversed.get(point.triangle as usize).is_some_and(|is_reversed| *is_reversed);
+        if is_reversed { [third, second] } else { [second, third] }
     }
 
     /// A hash of all corners, triangles and paints: equal for equal models, and as good as never equal for

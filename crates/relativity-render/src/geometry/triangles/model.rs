@@ -12,6 +12,9 @@ pub struct RawModel {
     pub corners: Vec<[f64; 3]>,
     /// Three corners of each triangle, counter-clockwise as seen from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// Whether the file gives the second and the third corner of each triangle in the other order, as of
+    /// mirrored ones. None at all: of no triangle.
+    pub reversed: Vec<bool>,
     /// Paint of each corner: reflectances in linear sRGB, 0 to 1, which mix evenly between corners. None at
     /// all is white paint.
     pub paints: Vec<[f32; 3]>,

@@ -17,6 +17,7 @@ use crate::geometry::hierarchy::Hierarchy;
 struct Saved<'a> {
     corners: Cow<'a, [Vec3]>,
     faces: Cow<'a, [[u32; 3]]>,
+    reversed: Cow<'a, [bool]>,
     paints: Cow<'a, [[f32; 3]]>,
     materials: Cow<'a, [Option<Material>]>,
     textures: Cow<'a, [MipMap]>,
@@ -43,6 +44,7 @@ impl<'a> From<&'a Triangles> for Saved<'a> {
         Self {
             corners: Cow::from(&triangles.corners),
             faces: Cow::from(&triangles.faces),
+            reversed: Cow::from(&triangles.reversed),
             paints: Cow::from(&triangles.paints),
             materials: Cow::from(&triangles.materials),
             textures: Cow::from(&triangles.textures),
@@ -72,6 +74,7 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<
     let mut read = Triangles {
         corners: saved.corners.into_owned(),
         faces: saved.faces.into_owned(),
+        reversed: saved.reversed.into_owned(),
         paints: saved.paints.into_owned(),
         materials: saved.materials.into_owned(),
         textures: saved.textures.into_owned(),

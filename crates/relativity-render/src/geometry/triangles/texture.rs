@@ -35,7 +35,7 @@ pub struct Texture {
 }
 
 /// The continuation of a texture beyond its edges.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Wrap {
     /// Copies of the texture follow each other.

@@ -20,7 +20,7 @@ const NAMED_AT: f32 = 0.85;
 /// The name of a way is written where this part of it has gone by.
 const NAMED_AFTER: usize = 6;
 
-/// Draws the backdrop.
+/// Draws fields of view, axes, street and the rider's way behind the rest.
 pub(super) fn paint(on: &mut SheetPainter<'_>) {
     on.painter.rect_filled(on.sheet.room(), 0.0, on.ui.visuals().extreme_bg_color);
     fields_of_view(on);

@@ -66,7 +66,7 @@ impl<'a> ChartLight<'a> {
         })
     }
 
-    /// Draws the light.
+    /// Draws the light on its way to the eyes.
     pub(super) fn paint(&self, ui: &Ui, painter: &Painter, state: &State) {
         let faint = ui.visuals().weak_text_color().gamma_multiply(0.28);
         for front in self.fronts(state) {

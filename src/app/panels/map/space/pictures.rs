@@ -27,11 +27,11 @@ const OUTLINE: f32 = 2.0;
 /// Parts of a line are drawn as one while their widths differ by no more than this, points.
 const SAME_WIDTH: f32 = 0.5;
 
-/// Where two eyes place a body that is this many times as large as one eye sees it, its outline is drawn
-/// alone: its lines would be a scribble.
+/// The ratio of the size at which two eyes place a body to that which one eye sees, from which its outline is
+/// drawn alone: its lines would be a scribble.
 const SCRIBBLE: f64 = 1.5;
 
-/// Draws the pictures.
+/// Draws where each eye, and both, see the bodies.
 pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &OutlineLines, sheet: &SpaceSheet) {
     let mut shapes = Vec::with_capacity(lines.all.len());
     let [seen, placed] = [BodyPicture::Seen(0), BodyPicture::Stereo].map(|of| places(lines, sheet, of));

@@ -18,7 +18,7 @@ use crate::settings::MapFrame;
 /// Distance up to which the pointer counts as near, points.
 const REACH: f64 = 9.0;
 
-/// Reads the pointer.
+/// Describes what is near the pointer, and turns clicks there into commands.
 pub(super) fn read(
     ui: &Ui,
     painter: &Painter,

@@ -19,7 +19,7 @@ const SPACE: f32 = 4.0;
 /// Eyes that are further apart than this have names of their own, points.
 const EYES_APART: f32 = 60.0;
 
-/// Draws all lines.
+/// Draws lines of simultaneity, light cones, world lines and rays.
 pub fn paint(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     nows(sheet, labels);
     cones(sheet, labels);

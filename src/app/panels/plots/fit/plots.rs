@@ -1,7 +1,7 @@
 //! The samples, the fitted curve with its band, and what the fit leaves over.
 
 use eframe::egui::{self, Align, Align2, Color32, Layout, RichText, TextStyle, Ui, Vec2, Visuals, vec2};
-use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
+use egui_plot::{FilledArea, Line, MarkerShape, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
 use crate::app::commands::PlaybackCommand;
 use crate::app::panels::Commands;
@@ -201,6 +201,7 @@ struct CurveDrawing<'a> {
     data_colour: Color32,
     fit_colour: Color32,
     band_colour: Color32,
+    outlier_colour: Color32,
 }
 
 impl<'a> CurveDrawing<'a> {
@@ -217,6 +218,7 @@ impl<'a> CurveDrawing<'a> {
             data_colour: visuals.weak_text_color().gamma_multiply(faintness),
             fit_colour: colour.gamma_multiply(faintness),
             band_colour: colour.gamma_multiply(0.35 * faintness),
+            outlier_colour: visuals.error_fg_color.gamma_multiply(faintness),
         }
     }
 
@@ -258,6 +260,7 @@ impl<'a> CurveDrawing<'a> {
     fn curve<'p>(&'p self, plot: &mut PlotUi<'p>) {
         self.band(plot, |point| point.y);
         self.dots(plot, "sample", self.data);
+        self.outliers(plot, 0);
         if let Some(fitted) = self.fitted {
             let line = Line::new("fit", &*fitted.line).allow_band(false).allow_hover(false);
             plot.line(line.color(self.fit_colour).width(1.6));
@@ -268,6 +271,7 @@ impl<'a> CurveDrawing<'a> {
         let Some(fitted) = self.fitted else { return };
         self.band(plot, |_| 0.0);
         self.dots(plot, "sample − fit", &fitted.residuals);
+        self.outliers(plot, 1);
         let zero = self.range.map(|time| [time, 0.0]).to_vec();
         plot.line(Line::new("0", zero).color(self.fit_colour).width(1.2).allow_hover(false));
     }
@@ -281,6 +285,14 @@ impl<'a> CurveDrawing<'a> {
         let times: Vec<f64> = fitted.line.iter().map(|point| point.x).collect();
         let area = FilledArea::new("95 % band", &times, &edge(0), &edge(1));
         plot.add(area.fill_color(self.band_colour).allow_hover(false));
+    }
+
+    /// Crosses at samples that stand out, or at what is left of them.
+    fn outliers<'p>(&'p self, plot: &mut PlotUi<'p>, half: usize) {
+        let Some(fitted) = self.fitted.filter(|fitted| !fitted.outliers[half].is_empty()) else { return };
+        let crosses =
+            Points::new("stands out", &*fitted.outliers[half]).shape(MarkerShape::Cross).radius(4.5);
+        plot.points(crosses.color(self.outlier_colour).allow_hover(false));
     }
 
     fn dots<'p>(&self, plot: &mut PlotUi<'p>, name: &str, points: &'p [PlotPoint]) {

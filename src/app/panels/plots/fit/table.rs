@@ -90,7 +90,7 @@ fn table(ui: &mut Ui, fitted: &Fitted, length: Unit, columns: TableColumns) {
             ("", "Parameter"),
             ("value", "The best fit: least sum of squared residuals."),
             ("±", "Standard error: standard deviation over the bootstrap's replicates, refits of samples drawn with replacement. — where the residuals follow one another: none follows then."),
-            ("95 %", "Interval that holds 95 % of the replicates: from the 2.5th to the 97.5th percentile."),
+            ("95 %", "Interval that holds the truth in 95 of 100 measurements: the 2.5th to the 97.5th percentile of the replicates, drawn apart where few readings count for most."),
         ];
         if columns == TableColumns::Few {
             heads.truncate(INTERVAL);
@@ -267,7 +267,10 @@ fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
         "Root mean square of sample minus fit. Durbin-Watson is near 2 if residuals are chance, and near 0 if they follow one another, as where the model is wrong. Fit and bootstrap took {milliseconds} ms."
     );
     ui.label(RichText::new(text).weak().small()).on_hover_text(tip);
-    for told in fitted.warning.as_deref().map(sentence).into_iter().chain(assumptions(outcome, fitted)) {
+    let wrong = [&fitted.warning, &fitted.cause, &fitted.outliers]
+        .into_iter()
+        .filter_map(|told| told.as_deref().map(sentence));
+    for told in wrong.chain(assumptions(outcome, fitted)) {
         ui.label(RichText::new(told).weak().small());
     }
     if let Some(problem) = &fitted.no_bootstrap {

@@ -1,0 +1,88 @@
+//! The triangles of glTF meshes.
+
+use glam::{DMat4, DVec3};
+use gltf::mesh::util::ReadIndices;
+use gltf::mesh::{Mode, Semantic};
+use gltf::{Node, Primitive};
+
+use super::super::super::light::measured;
+use super::super::accessor::{INDICES, PLACES, check, read};
+use super::super::limits::check_count;
+use super::{ModelReader, deform};
+
+impl ModelReader<'_> {
+    /// Adds the triangles of a `primitive` of `node`, as `placed`; a skinned one is where its joints are.
+    pub(super) fn add(
+        &mut self,
+        primitive: &Primitive<'_>,
+        node: &Node<'_>,
+        placed: DMat4,
+    ) -> Result<(), String> {
+        let mode = primitive.mode();
+        let (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan, Some(places)) =
+            (mode, primitive.get(&Semantic::Positions))
+        else {
+            self.companions.remark("lines and points are left out".to_owned());
+            return Ok(());
+        };
+        let count = places.count();
+        check(&places, &PLACES, &self.buffers)?;
+        check_count(self.model.corners.len().saturating_add(count) / 3)?;
+        let indices = self.indices(primitive, count)?;
+        let triangles =
+            if mode == Mode::Triangles { indices.len() / 3 } else { indices.len().saturating_sub(2) };
+        if triangles == 0 || self.is_unseen(&primitive.material()) {
+            return Ok(());
+        }
+        check_count(self.model.triangles.len() + triangles)?;
+        let corner = |corner: [f32; 3]| DVec3::from(corner.map(f64::from));
+        let mut corners: Vec<DVec3> =
+            read::<3>(&places, &PLACES, &self.buffers, false)?.into_iter().map(corner).collect();
+        deform::morph(&mut corners, primitive, node, &self.buffers)?;
+        let joints = self.joints(node)?.filter(|_| primitive.get(&Semantic::Joints(0)).is_some());
+        let placed = match &joints {
+            Some(joints) => {
+                deform::skin(&mut corners, primitive, joints, &self.buffers)?;
+                DMat4::IDENTITY
+            }
+            None => placed,
+        };
+        let texture = self.add_colours(primitive, count)?;
+        let sides = joints.as_ref().and_then(|joints| joints.first()).unwrap_or(&placed);
+        let is_mirrored = sides.determinant() < 0.0;
+        let model = &mut self.model;
+        let first = model.corners.len() as u32;
+        for number in 0..triangles {
+            let [a, b, c] = corners_of(mode, number).map(|place| first + indices[place]);
+            let is_reversed = is_mirrored != (mode == Mode::TriangleStrip && number % 2 == 1);
+            model.triangles.push(if is_reversed { [a, c, b] } else { [a, b, c] });
+            model.reversed.push(is_reversed);
+        }
+        model.texture_numbers.resize(model.triangles.len(), texture);
+        let measured = primitive.material().name().map_or(Ok(None), measured)?;
+        model.materials.resize(model.triangles.len(), measured);
+        model.corners.extend(corners.into_iter().map(|corner| placed.transform_point3(corner).to_array()));
+        Ok(())
+    }
+
+    /// The numbers of corners of `primitive`, which has `count` of them, as its triangles name them.
+    fn indices(&self, primitive: &Primitive<'_>, count: usize) -> Result<Vec<u32>, String> {
+        let Some(indices) = primitive.indices() else { return Ok((0..count as u32).collect()) };
+        check(&indices, &INDICES, &self.buffers)?;
+        let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
+        let indices: Vec<u32> = reader.read_indices().into_iter().flat_map(ReadIndices::into_u32).collect();
+        match indices.iter().find(|&&index| index as usize >= count) {
+            Some(index) => Err(format!("a triangle names corner {index}, and its mesh has {count}")),
+            None => Ok(indices),
+        }
+    }
+}
+
+/// The places, in the list of indices, of the corners of the triangle of this number, in their order there.
+fn corners_of(mode: Mode, number: usize) -> [usize; 3] {
+    match mode {
+        Mode::TriangleStrip => [number, number + 1, number + 2],
+        Mode::TriangleFan => [0, number + 1, number + 2],
+        _ => [3 * number, 3 * number + 1, 3 * number + 2],
+    }
+}
