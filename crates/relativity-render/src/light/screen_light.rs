@@ -56,9 +56,11 @@ impl Light {
             (_, Emission::Glowing(kelvin)) => Self::Glow(kelvin),
             (_, Emission::Painted(paint)) => Self::Painted(paint),
             (Colour::OneWavelength, Emission::Wavelength(nm)) => Self::Line(nm),
-            (Colour::White | Colour::StreetDaylight, Emission::Wavelength(nm)) => {
-                Self::Painted(Paint::Smooth(linear_srgb(nm)))
-            }
+            (Colour::White | Colour::StreetDaylight, Emission::Wavelength(nm)) => match linear_srgb(nm) {
+                // No paint has a colour that eyes do not see: such a body shines by its own light.
+                [0.0, 0.0, 0.0] => Self::Line(nm),
+                colour => Self::Painted(Paint::Smooth(colour)),
+            },
         }
     }
 
@@ -264,6 +266,19 @@ mod tests {
             assert!((largest - 1.0).abs() < 1e-9, "{light:?}: {largest}");
             assert!((shoulder(largest) - 0.8).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn what_shines_outside_the_visible_shines_in_daylight_where_it_is_shifted_into_view() {
+        let appearance =
+            Appearance { colour: Colour::White, intensity_exponent: None, ..Appearance::default() };
+        let shown = |nm: f64, doppler_factor: f64| {
+            Light::new(Emission::Wavelength(nm), &appearance).shown(&appearance, doppler_factor)
+        };
+        assert_eq!(shown(1000.0, 1.0), ScreenLight { colour: [0.0; 3], unseen: 1.0 });
+        let line = Light::Line(1000.0).shown(&appearance, 1.7).colour;
+        assert!(shown(1000.0, 1.7).colour == line && line.into_iter().any(|part| part > 0.5), "{line:?}");
+        assert_eq!(shown(600.0, 1.0).colour, toned(linear_srgb(600.0)));
     }
 
     #[test]
