@@ -30,7 +30,7 @@ fn ground_at(y: f64) -> (&'static str, [f64; 2]) {
     match y {
         _ if y < KERBS[0] => ("pavement", [FRONTS[0], KERBS[0] - KERB[0]]),
         _ if y > KERBS[1] => ("pavement", [KERBS[1] + KERB[0], FRONTS[1]]),
-        _ => ("asphalt_road", KERBS),
+        _ => ("road", KERBS),
     }
 }
 
