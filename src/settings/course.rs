@@ -22,7 +22,7 @@ pub struct Course {
 /// The settings that a ride starts with.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RideStart {
-    /// Velocity along its line.
+    /// First speed.
     pub speed: StreetVelocity,
     /// Place, azimuth and elevation, as they are set.
     pub numbers: [f64; 3],
@@ -33,21 +33,13 @@ pub struct RideStart {
 pub struct KeptCourse(Arc<Mutex<Option<Arc<Course>>>>);
 
 impl Course {
-    fn new(start: RideStart, legs: &Arc<[Leg]>, moment: impl FnOnce(bool) -> RideMoment) -> Self {
-        let is_aside = |Leg { acceleration: [_, left, up], .. }: &Leg| [*left, *up] != [0.0; 2];
-        let is_straight = !legs.iter().any(is_aside);
-        let ride = Ride::new(moment(is_straight), Arc::clone(legs));
-        Self { legs: Arc::clone(legs), start, is_straight, ride }
-    }
-
-    fn is_of(&self, start: &RideStart, legs: &Arc<[Leg]>) -> bool {
-        Arc::ptr_eq(&self.legs, legs) && self.start == *start
+    fn is_of(&self, start: RideStart, legs: &Arc<[Leg]>) -> bool {
+        Arc::ptr_eq(&self.legs, legs) && self.start == start
     }
 }
 
 impl KeptCourse {
-    /// Returns the course with these `legs` from this `start`, whose `moment` is asked for with whether none
-    /// of them pushes aside.
+    /// Returns the course of `legs` from this `start`, whose `moment` it is if all is straight, or if not.
     pub fn of(
         &self,
         start: RideStart,
@@ -55,8 +47,12 @@ impl KeptCourse {
         moment: impl FnOnce(bool) -> RideMoment,
     ) -> Arc<Course> {
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let course = kept.take().filter(|course| course.is_of(&start, legs));
-        let course = course.unwrap_or_else(|| Arc::new(Course::new(start, legs, moment)));
+        let course = kept.take().filter(|course| course.is_of(start, legs)).unwrap_or_else(|| {
+            let is_aside = |Leg { acceleration: [_, left, up], .. }: &Leg| [*left, *up] != [0.0; 2];
+            let is_straight = !legs.iter().any(is_aside);
+            let ride = Ride::new(moment(is_straight), Arc::clone(legs));
+            Arc::new(Course { legs: Arc::clone(legs), start, is_straight, ride })
+        });
         Arc::clone(kept.insert(course))
     }
 }

@@ -119,10 +119,12 @@ impl Riding {
 
     /// Returns the ride, worked out; `None` without one.
     pub(super) fn course(&self) -> Option<Arc<Course>> {
-        let numbers = [self.ride_from, self.ride_azimuth, self.ride_elevation];
-        let start = RideStart { speed: self.ride_speed, numbers };
-        let moment = |is_straight: bool| self.start(self.has_own_direction() || !is_straight);
-        self.ride.0.as_ref().map(|legs| self.kept.of(start, legs, moment))
+        let legs = self.ride.0.as_ref()?;
+        let start = RideStart {
+            speed: self.ride_speed,
+            numbers: [self.ride_from, self.ride_azimuth, self.ride_elevation],
+        };
+        Some(self.kept.of(start, legs, |is_straight| self.start(self.has_own_direction() || !is_straight)))
     }
 
     /// Returns the start of the ride, along its line, whichever way that leads.
