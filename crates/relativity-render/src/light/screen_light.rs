@@ -278,7 +278,8 @@ mod tests {
         assert_eq!(shown(1000.0, 1.0), ScreenLight { colour: [0.0; 3], unseen: 1.0 });
         let line = Light::Line(1000.0).shown(&appearance, 1.7).colour;
         assert!(shown(1000.0, 1.7).colour == line && line.into_iter().any(|part| part > 0.5), "{line:?}");
-        assert_eq!(shown(600.0, 1.0).colour, toned(linear_srgb(600.0)));
+        let mut pairs = shown(600.0, 1.0).colour.into_iter().zip(toned(linear_srgb(600.0)));
+        assert!(pairs.all(|(shown, paint)| (shown - paint).abs() < 1e-9));
     }
 
     #[test]
