@@ -224,8 +224,8 @@ fn every_material_is_described() {
 #[allow(clippy::allow_attributes, reason = "an expectation would fail in the example itself")]
 mod town;
 
-/// The town and its cyclist equal what their example writes; nothing in the town touches the ground, since that would
-/// have a shadow there.
+/// The town and its cyclist equal what their example writes; nothing in the town touches the ground, since
+/// that would have a shadow there.
 #[test]
 fn the_town_is_what_its_example_writes() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes");

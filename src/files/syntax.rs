@@ -9,8 +9,8 @@ use toml::de::Error;
 
 use crate::number_text;
 
-/// The name of a key, a flag or a keyword in the spelling that it has here: `centre` for `center`, `colour` for
-/// `color`.
+/// The name of a key, a flag or a keyword in the spelling that it has here: `centre` for `center`, `colour`
+/// for `color`.
 #[must_use]
 pub fn british(name: &str) -> Cow<'_, str> {
     if name.contains("center") || name.contains("color") {

@@ -15,11 +15,11 @@ impl Scene {
     /// bodies; of a body its shape by the name in a scene file, the numbers of that in the order of the scene
     /// format (of a box half its size, and its turn as a quaternion), its wavelength, the linear colour of
     /// other than white paint, the name of its material or the temperature at which it glows after "paint",
-    /// "material" or "glows", and, if it is below 1, its brightness after that word, and if it has one its pattern by name, with its spacing; and if it
-    /// turns after "rolls" or "turns" its axle, the radius on which it rolls and, if it does not roll, the
-    /// speed of its rim; and of a model, whose shape is the box around it, after "triangles" the same hash of
-    /// these, word by word. Names end in a zero byte; numbers go in bit by bit, big end first, those that are
-    /// not there as infinity.
+    /// "material" or "glows", and, if it is below 1, its brightness after that word, and if it has one its
+    /// pattern by name, with its spacing; and if it turns after "rolls" or "turns" its axle, the radius on
+    /// which it rolls and, if it does not roll, the speed of its rim; and of a model, whose shape is the box
+    /// around it, after "triangles" the same hash of these, word by word. Names end in a zero byte; numbers
+    /// go in bit by bit, big end first, those that are not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let mut hash = Hash::default();

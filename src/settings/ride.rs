@@ -176,8 +176,8 @@ impl Riding {
         self.coasts() && self.is_along_street()
     }
 
-    /// Two odometers of the rider when the clock of the ride shows `time`, at 0 without a ride; `None` off its
-    /// line, where nothing rolls.
+    /// Two odometers of the rider when the clock of the ride shows `time`, at 0 without a ride; `None` off
+    /// its line, where nothing rolls.
     #[must_use]
     pub fn odometers(&self, time: f64) -> Option<Odometers> {
         match self.course() {

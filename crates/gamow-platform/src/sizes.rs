@@ -35,8 +35,8 @@ pub const FILE_BYTES: u64 = 64 << 20;
 pub const ROW_BYTES: u64 = 1 << 20;
 /// Greatest number of rows of a table that is fitted.
 pub const FITTED_ROWS: usize = 1_000_000;
-/// Greatest number of pixels of a picture that is read, as of 8192x8192. In memory each takes at most 12 bytes,
-/// so that a small file of one colour takes no more than 800 MB.
+/// Greatest number of pixels of a picture that is read, as of 8192x8192. In memory each takes at most 12
+/// bytes, so that a small file of one colour takes no more than 800 MB.
 pub const PICTURE_PIXELS: u64 = 1 << 26;
 /// Greatest number of values of measurements that are read, pixels times channels. In memory each takes 4
 /// bytes.

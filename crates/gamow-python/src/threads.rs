@@ -1,5 +1,6 @@
-//! Threads of this process. A `fork`, by which multiprocessing starts its workers on Linux before Python 3.14,
-//! takes no thread along but the one that calls it: a child has to start its own, or it would wait for ever.
+//! Threads of this process. A `fork`, by which multiprocessing starts its workers on Linux before Python
+//! 3.14, takes no thread along but the one that calls it: a child has to start its own, or it would wait for
+//! ever.
 
 use std::process;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};

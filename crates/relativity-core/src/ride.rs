@@ -1,8 +1,8 @@
 //! A ride: an observer who accelerates, in legs of constant proper acceleration.
 //!
 //! Each leg is one closed step, and a ride keeps the moments at the ends of its legs: any moment is found by
-//! bisection among them, whatever the length of the steps in which it is played. Time is the rider's own: at a Lorentz factor of 1e12 one unit
-//! of it is 1e12 of the street's.
+//! bisection among them, whatever the length of the steps in which it is played. Time is the rider's own: at
+//! a Lorentz factor of 1e12 one unit of it is 1e12 of the street's.
 //!
 //! # Conventions
 //!
@@ -296,7 +296,8 @@ impl Ride {
     }
 
     /// Returns the moment and the odometers at the start of the leg that is ridden when the rider's clock
-    /// shows `proper_time`, and the part of that leg until then. Before the start that has a duration below 0.
+    /// shows `proper_time`, and the part of that leg until then. Before the start that has a duration below
+    /// 0.
     fn leg_at(&self, proper_time: f64) -> (RideMoment, Odometers, Leg) {
         let number = self.ends.partition_point(|(end, _)| end.proper_time < proper_time);
         let before = number.checked_sub(1).map(|before| self.ends[before]);

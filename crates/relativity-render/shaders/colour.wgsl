@@ -166,8 +166,8 @@ fn mean_octaves(facing: Facing) -> f32 {
     return log2(gamma / across * (1.0 - time / (3.0 * across))) + octaves_of_sinh(time);
 }
 
-// `light` and `paint` as above. Paint other than white is smooth paint that stands for it, and what is left of
-// its colour: see `colour/sunlit.rs`.
+// `light` and `paint` as above. Paint other than white is smooth paint that stands for it, and what is left
+// of its colour: see `colour/sunlit.rs`.
 fn of_street_daylight(light: vec4f, shift: f32, facing: Facing, paint: vec4f) -> vec4f {
     let row = kind_of(light, paint);
     let seen_at = SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * shift;
@@ -209,8 +209,8 @@ fn colour_of(light: vec4f, doppler: f32, facing: Facing, paint: vec4f) -> vec4f 
 }
 
 // Of a body with this `light`, which is rgb and the unseen share at rest, else as above, on this `paint`, in
-// the pixel with this middle. Form comes after the shoulder: so it shows in what is very bright, and in what is
-// all but black.
+// the pixel with this middle. Form comes after the shoulder: so it shows in what is very bright, and in what
+// is all but black.
 fn received_colour(
     light: vec4f,
     paint: vec4f,

@@ -182,8 +182,8 @@ fn rounding_of_smooth_paints() -> f64 {
 
 /// Grey paint in daylight is dimmer white at any Doppler factor, and no colour has more light than white.
 ///
-/// The reflectances of the data lie between 0 and 1. By as much as they are off their colours at rest, each is
-/// mixed with the others so that it is not: by that share it may be below 0 or above 1, and no more.
+/// The reflectances of the data lie between 0 and 1. By as much as they are off their colours at rest, each
+/// is mixed with the others so that it is not: by that share it may be below 0 or above 1, and no more.
 #[test]
 fn smooth_paints_add_up_to_white() {
     let share = rounding_of_smooth_paints();

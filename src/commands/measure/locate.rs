@@ -23,8 +23,8 @@ const CUBE_RMS: f64 = 0.018;
 /// on.
 const MOST_BENT: f64 = 0.5;
 /// Errors of places that are drawn in single precision, root mean square along an axis and in steps of f32 at
-/// the greatest coordinate. Measured against the reference for packets and rays, from rest to 0.999 c, body by
-/// body: 0.2 to 4. What f64 draws is rounded in the file alone.
+/// the greatest coordinate. Measured against the reference for packets and rays, from rest to 0.999 c, body
+/// by body: 0.2 to 4. What f64 draws is rounded in the file alone.
 const GRAIN_OF_F32: f64 = 2.0;
 /// Rounds of Newton's method, and the step after which it is settled, px.
 const ROUNDS: usize = 20;

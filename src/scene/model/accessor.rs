@@ -117,8 +117,8 @@ pub fn accessor(document: &Document, number: usize) -> Result<Accessor<'_>, Stri
     document.accessors().nth(number).ok_or_else(|| format!("there is no accessor {number}"))
 }
 
-/// Reads the first `N` numbers of each element of `accessor`, which must have what is `needed`. Those in bytes
-/// and shorts are parts of the whole if the accessor says so, or if they all are (`is_part`).
+/// Reads the first `N` numbers of each element of `accessor`, which must have what is `needed`. Those in
+/// bytes and shorts are parts of the whole if the accessor says so, or if they all are (`is_part`).
 pub fn read<const N: usize>(
     accessor: &Accessor<'_>,
     needed: &Needed,

@@ -49,8 +49,8 @@ pub struct Materials {
 }
 
 impl Materials {
-    /// Reads the libraries that a line calls `names`, each once, and returns the numbers of their materials. A
-    /// missing one is remarked.
+    /// Reads the libraries that a line calls `names`, each once, and returns the numbers of their materials.
+    /// A missing one is remarked.
     ///
     /// # Errors
     ///

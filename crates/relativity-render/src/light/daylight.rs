@@ -4,9 +4,9 @@
 //! so what rests is lit as by a lamp of its own. A body that moves at beta receives it from the direction w',
 //! in its own frame, with D = 1/(gamma (1 - beta w'_x)), as [`sunlit`](crate::colour::sunlit) has it, crowded
 //! and blue ahead. What a surface with the normal n' reflects of it, as a matt one does, is the mean over its
-//! hemisphere, weighted by the cosine: a sum of shifted daylight over w'_x, of which the weight follows from the
-//! angle between n' and the motion alone.
-//! It is taken from the table of [`sky`](super::sky), whose error is told there.
+//! hemisphere, weighted by the cosine: a sum of shifted daylight over w'_x, of which the weight follows from
+//! the angle between n' and the motion alone. It is taken from the table of [`sky`](super::sky), whose error
+//! is told there.
 //!
 //! A point that turns is lit as what it is, a surface with its own velocity: where a wheel touches the road,
 //! it is lit as the road is.
@@ -76,9 +76,9 @@ impl Facing {
         atan2((1.0 - share * share).sqrt(), -share) / PI
     }
 
-    /// log2 of the mean Doppler factor of the photons that it receives, of light that is none the brighter for
-    /// it: power over photons. In the frame of the street its hemisphere is a cap of the sky, over which both
-    /// are polynomials.
+    /// log2 of the mean Doppler factor of the photons that it receives, of light that is none the brighter
+    /// for it: power over photons. In the frame of the street its hemisphere is a cap of the sky, over which
+    /// both are polynomials.
     pub fn mean_octaves(self) -> f64 {
         let (gamma, time) = (hypot(self.rapid, 1.0), self.rapid * self.ahead);
         let length = hypot(time, 1.0);

@@ -171,8 +171,9 @@ impl Light {
     /// Returns the light as the shaders read it: see `colour_of` there.
     ///
     /// Smooth paint that is not grey is the shares of red and green in it, the exponent n of D^n, and log2 of
-    /// the sum of its primaries, exposed. Any other light is one less than the negative of its row in the tables, its place
-    /// there at rest, n, and log2 of its exposure. At rest it is linear sRGB, exposed, and the unseen share.
+    /// the sum of its primaries, exposed. Any other light is one less than the negative of its row in the
+    /// tables, its place there at rest, n, and log2 of its exposure. At rest it is linear sRGB, exposed, and
+    /// the unseen share.
     pub(crate) fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
         let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
         let in_row = |row: Row, log2: f64, level: f64| {
@@ -215,8 +216,8 @@ fn glow(kelvin: f64, shift: f64, log2_factor: f64) -> [f64; 3] {
     light.hue.map(|part| part * exp2((light.log2_level + log2_factor).min(1e3)))
 }
 
-/// Linear sRGB of what `paint` reflects of the street's daylight where it is `facing` that so, seen shifted by
-/// `shift` octaves, over the level of white paint; and log2 of that. See [`sunlit`].
+/// Linear sRGB of what `paint` reflects of the street's daylight where it is `facing` that so, seen shifted
+/// by `shift` octaves, over the level of white paint; and log2 of that. See [`sunlit`].
 fn in_sky(paint: Paint, shift: f64, facing: Facing) -> ([f64; 3], f64) {
     let stand_in = sunlit::in_daylight(paint, shift);
     let (colour, smooth) = (sunlit::colour(paint, shift), sunlit::lit_by_shifted(stand_in, shift));

@@ -1,7 +1,8 @@
 //! Light of the street, the house fronts and the sky, as a camera receives it that moves along the street.
 //!
 //! All of them rest on the ground and reflect daylight as smooth paint: light of the Doppler factor D is that
-//! of [`sunlit`], whose colours are linear in those at rest, so that mixtures of paints in a pixel stay exact.
+//! of [`sunlit`], whose colours are linear in those at rest, so that mixtures of paints in a pixel stay
+//! exact.
 //!
 //! The shaders' `received_from_street` and `cpu/packets/street/backdrop.rs` do the same by rows of the tables
 //! of `palette.rs`.

@@ -185,7 +185,8 @@ fn pure(colour: [f64; 3]) -> Option<[f64; 3]> {
     (most > grey).then(|| ((colour - grey) / (most - grey)).to_array())
 }
 
-/// The linear colour of `picture` at a place between the centres of pixels, by the `linear` value of each byte.
+/// The linear colour of `picture` at a place between the centres of pixels, by the `linear` value of each
+/// byte.
 fn interpolated(picture: &Picture, linear: &[f64; 256], [u, v]: [f64; 2]) -> [f64; 3] {
     let [width, height] = picture.size;
     let last = |side: u32| f64::from(side - 1);

@@ -19,8 +19,8 @@ pub struct SlidingView {
 }
 
 impl SlidingView {
-    /// Returns `None` where `view` is not conformal, the head is tilted, or the eyes ride another way than along
-    /// the street: motion is no slide along the rows then.
+    /// Returns `None` where `view` is not conformal, the head is tilted, or the eyes ride another way than
+    /// along the street: motion is no slide along the rows then.
     #[must_use]
     pub fn new(state: &State, view: &View) -> Option<Self> {
         let settings = &state.document.settings;

@@ -43,9 +43,10 @@ fn models_that_differ_by_their_place_alone_share_their_triangles() {
 #[test]
 fn includes_of_one_preset_share_its_models() {
     let (_folder, path) = folder_of("path = \"a.obj\"", &[("a.obj", OBJ.as_bytes())]);
-    let includes: String =
-        (0..20).map(|i| format!("[[include]]\nscene = \"tram\"\noffset = [{}, 0, 0]\n", 20 * i)).collect();
-    std::fs::write(&path, format!("name = \"trams\"\n{includes}")).expect("it is written");
+    let scene = (0..20).fold("name = \"trams\"\n".to_owned(), |text, i| {
+        text + &format!("[[include]]\nscene = \"tram\"\noffset = [{}, 0, 0]\n", 20 * i)
+    });
+    std::fs::write(&path, scene).expect("it is written");
     let scene = Scene::load(&path).expect("it is right");
     let mut places: Vec<_> = models(&scene.bodies).into_iter().map(Arc::as_ptr).collect();
     let all = places.len();
