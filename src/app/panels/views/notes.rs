@@ -31,8 +31,11 @@ fn readiness(state: &State) -> Option<String> {
     state.frame.is_getting_ready.then(|| "getting ready".to_owned())
 }
 
+/// Written between two notes.
+pub const BETWEEN_NOTES: &str = "  ·  ";
+
 fn joined(notes: impl IntoIterator<Item = Option<String>>) -> String {
-    notes.into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
+    notes.into_iter().flatten().collect::<Vec<_>>().join(BETWEEN_NOTES)
 }
 
 /// Notes on the geometry, the model, the bodies' light and the street's, where they are not what an eye would
