@@ -29,7 +29,7 @@ and for each eye again, on the clock that rides with the point:
 and of a point on a wheel (wheel_radius, rho, angle; x0, y and z are the hub's, and the wheel rolls towards +x):
   angle      where on its wheel it is as that light leaves, from +x towards +z, -pi to pi
 and with --stereo where two eyes place the point, which is where their lines of sight meet:
-  stereo_gain  (x_left - x_right)/d: 1 for a point at rest
+  stereo_gain  (x_left - x_right)/d: 1 for a point at rest; of a wheel's point as for a tilted head
   stereo_x     that place, from between the eyes; stereo_y and stereo_z too
 A head that is tilted or turned (roll, turn) has its eyes at +-d/2 (cos roll cos turn, cos roll sin turn, sin roll). Their \
 lines of sight pass each other: the place is the middle of their shortest connection, and empty where they do not meet in \

@@ -13,8 +13,10 @@ use relativity_core::{
 use relativity_render::Velocity;
 use serde::{Deserialize, Serialize};
 
+use super::cause;
 use super::command::command;
 use super::data::{AssumedUnits, Data, Eyes};
+use super::outliers::Outlier;
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::CsvWriter;
 use crate::scene::{Scene, Track};
@@ -224,6 +226,8 @@ pub struct Fittable {
     pub options: FitOptions,
     /// Units that a file says its readings are in.
     pub said: AssumedUnits,
+    /// The line of each sample in its file; none of simulated ones.
+    pub lines: Vec<u64>,
 }
 
 impl Fittable {
@@ -231,6 +235,13 @@ impl Fittable {
     #[must_use]
     pub fn command(&self, file: &str) -> String {
         command(file, &self.options)
+    }
+
+    /// Names the lines of readings that stand out, if they are of a file.
+    pub fn name_lines(&self, outliers: &mut [Outlier]) {
+        for found in outliers {
+            found.line = self.lines.get(found.sample).copied();
+        }
     }
 }
 
@@ -251,14 +262,24 @@ impl FitKey {
                 observations: simulated.observations(&self.setup, noise_percent)?,
                 options: options(curves, simulated.source.place().x0, simulated.rolling()),
                 said: AssumedUnits::default(),
+                lines: Vec::new(),
             }),
             Samples::Measured(file, baseline) => {
                 let data = file.data(*baseline).map_err(|error| format!("{error:#}"))?;
                 let curves = data.curves(Some(curves).filter(|curves| *curves != Curves::Both));
-                let (observations, said) = (data.observations, data.said);
-                Ok(Fittable { observations, options: options(curves, 0.0, None), said })
+                let Data { observations, said, lines, .. } = data;
+                Ok(Fittable { observations, options: options(curves, 0.0, None), said, lines })
             }
         }
+    }
+
+    /// What explains the `samples` of a file that a fit with this `rms`, radians, does not, and the command
+    /// for it.
+    #[must_use]
+    pub fn cause(&self, samples: &Fittable, rms: f64) -> Option<String> {
+        let Samples::Measured(file, _) = &self.samples else { return None };
+        let cause = cause::find(&samples.observations, &samples.options, Some(rms), samples.said)?;
+        Some(cause.told(&file.name, ""))
     }
 
     /// The point that was simulated, if one was.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use relativity_core::{Leg, RideMoment, math};
+use relativity_core::{Leg, RideMoment};
 use serde::{Serialize, Serializer};
 
 use super::{SpeedParameter, finite_number};
@@ -90,8 +90,9 @@ fn write_acceleration(f: &mut fmt::Formatter<'_>, acceleration: [f64; 3]) -> fmt
 /// than at both ends.
 fn check_rapidities(legs: &[Leg]) -> Result<(), String> {
     let mut moment = RideMoment::AT_REST;
-    for Leg { duration, acceleration } in legs {
-        let gained = duration * size(*acceleration);
+    for leg in legs {
+        let Leg { duration, acceleration } = leg;
+        let gained = duration * leg.magnitude();
         // So much is too fast at the end, whatever it was before; more has no number.
         let is_within = gained <= 2.0 * MAX_RIDER_RAPIDITY;
         if is_within {
@@ -105,10 +106,6 @@ fn check_rapidities(legs: &[Leg]) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-fn size([x, y, z]: [f64; 3]) -> f64 {
-    math::hypot(x, math::hypot(y, z))
 }
 
 fn leg(text: &str) -> Result<Leg, String> {

@@ -4,9 +4,8 @@
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use relativity_core::{Leg, Ride};
+use relativity_core::{Leg, Ride, RideMoment};
 
-use super::ride::Riding;
 use crate::flags::StreetVelocity;
 
 /// A ride that is worked out.
@@ -22,10 +21,11 @@ pub struct Course {
 
 /// The settings that a ride starts with.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct RideStart {
-    speed: StreetVelocity,
+pub struct RideStart {
+    /// First speed.
+    pub speed: StreetVelocity,
     /// Place, azimuth and elevation, as they are set.
-    numbers: [f64; 3],
+    pub numbers: [f64; 3],
 }
 
 /// The course of the last settings that asked for it. It is no setting: all are equal.
@@ -33,32 +33,26 @@ struct RideStart {
 pub struct KeptCourse(Arc<Mutex<Option<Arc<Course>>>>);
 
 impl Course {
-    fn new(riding: &Riding, legs: &Arc<[Leg]>) -> Self {
-        let is_aside = |Leg { acceleration: [_, left, up], .. }: &Leg| [*left, *up] != [0.0; 2];
-        let is_straight = !legs.iter().any(is_aside);
-        let start = riding.start(riding.has_own_direction() || !is_straight);
-        let ride = Ride::new(start, Arc::clone(legs));
-        Self { legs: Arc::clone(legs), start: RideStart::of(riding), is_straight, ride }
-    }
-
-    fn is_of(&self, riding: &Riding, legs: &Arc<[Leg]>) -> bool {
-        Arc::ptr_eq(&self.legs, legs) && self.start == RideStart::of(riding)
-    }
-}
-
-impl RideStart {
-    const fn of(riding: &Riding) -> Self {
-        let numbers = [riding.ride_from, riding.ride_azimuth, riding.ride_elevation];
-        Self { speed: riding.ride_speed, numbers }
+    fn is_of(&self, start: RideStart, legs: &Arc<[Leg]>) -> bool {
+        Arc::ptr_eq(&self.legs, legs) && self.start == start
     }
 }
 
 impl KeptCourse {
-    /// Returns the course of `riding`, whose `legs` these are.
-    pub fn of(&self, riding: &Riding, legs: &Arc<[Leg]>) -> Arc<Course> {
+    /// Returns the course of `legs` from this `start`, whose `moment` it is if all is straight, or if not.
+    pub fn of(
+        &self,
+        start: RideStart,
+        legs: &Arc<[Leg]>,
+        moment: impl FnOnce(bool) -> RideMoment,
+    ) -> Arc<Course> {
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let course = kept.take().filter(|course| course.is_of(riding, legs));
-        let course = course.unwrap_or_else(|| Arc::new(Course::new(riding, legs)));
+        let course = kept.take().filter(|course| course.is_of(start, legs)).unwrap_or_else(|| {
+            let is_aside = |Leg { acceleration: [_, left, up], .. }: &Leg| [*left, *up] != [0.0; 2];
+            let is_straight = !legs.iter().any(is_aside);
+            let ride = Ride::new(moment(is_straight), Arc::clone(legs));
+            Arc::new(Course { legs: Arc::clone(legs), start, is_straight, ride })
+        });
         Arc::clone(kept.insert(course))
     }
 }

@@ -3,10 +3,11 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, Disparity, Model, Observer, ObserverError, ObserverVelocity, PairError,
+    Aperture, Baseline, Disparity, Leg, Model, Observer, ObserverError, ObserverVelocity, PairError,
     PublishedVariant, Source, SourcePoint, Speed, Stereo, equidistance_time,
 };
 use relativity_render::{Geometry, MaterialPoint, Motion, RelativeVelocity, Velocity};
+use thiserror::Error;
 
 use super::all::Settings;
 use super::rider::Rider;
@@ -14,6 +15,17 @@ use super::sections::{self, MapFrame};
 use crate::flags::MAX_TIME;
 use crate::scene::{Scene, SceneError, Track};
 use crate::time_range;
+
+/// Eyes that cannot ride, since they cannot keep their distance.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "--ride: at a proper acceleration of {acceleration} eyes keep their distance only where --d is below \
+     {most}, and it is {separation}", most = 2.0 / .acceleration
+)]
+pub struct EyesTooFarApart {
+    separation: f64,
+    acceleration: f64,
+}
 
 impl Settings {
     /// The scene that they name, with or without what rests around what moves; with a bicycle below eyes that
@@ -178,6 +190,22 @@ impl Settings {
             Err(ObserverError::Published(published))
         } else {
             Err(PairError::OffTheMotion(published).into())
+        }
+    }
+
+    /// Whether both eyes can keep their distance during the ride. The horizon of a proper acceleration a is
+    /// 1/a behind: no eye is there.
+    ///
+    /// # Errors
+    /// A leg at which the eyes are too far apart.
+    pub fn check_eyes(&self) -> Result<(), EyesTooFarApart> {
+        let legs = self.ride.ride.0.as_deref().unwrap_or_default();
+        let separation = self.motion.d;
+        let greatest = legs.iter().map(Leg::magnitude).fold(0.0, f64::max);
+        if 0.5 * separation * greatest < 1.0 {
+            Ok(())
+        } else {
+            Err(EyesTooFarApart { separation, acceleration: greatest })
         }
     }
 

@@ -10,7 +10,7 @@ use glam::{DMat3, DVec3};
 use relativity_core::{Leg, ObserverVelocity, Odometers, RideMoment, RiderVelocity, Speed};
 use serde::Serialize;
 
-use super::course::{Course, KeptCourse};
+use super::course::{Course, KeptCourse, RideStart};
 use super::sections::MAX_LENGTH;
 use crate::flags::{RideLegs, StreetVelocity, within};
 
@@ -119,7 +119,12 @@ impl Riding {
 
     /// Returns the ride, worked out; `None` without one.
     pub(super) fn course(&self) -> Option<Arc<Course>> {
-        self.ride.0.as_ref().map(|legs| self.kept.of(self, legs))
+        let legs = self.ride.0.as_ref()?;
+        let start = RideStart {
+            speed: self.ride_speed,
+            numbers: [self.ride_from, self.ride_azimuth, self.ride_elevation],
+        };
+        Some(self.kept.of(start, legs, |is_straight| self.start(self.has_own_direction() || !is_straight)))
     }
 
     /// Returns the start of the ride, along its line, whichever way that leads.

@@ -47,9 +47,10 @@ impl Studio {
     /// # Errors
     ///
     /// A scene or a renderer that cannot be had, the published geometry of a head that is tilted or turned,
-    /// or a comparison that there is not.
+    /// eyes that no ride can carry, or a comparison that there is not.
     pub fn new(settings: Settings) -> anyhow::Result<Self> {
         settings.check_geometry()?;
+        settings.check_eyes()?;
         settings.check_comparison()?;
         let scene = settings.opened_scene()?;
         let tracked = settings.track(&scene);

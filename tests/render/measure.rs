@@ -268,6 +268,39 @@ fn a_mark_beside_an_outline_is_as_far_off_as_its_sigmas_say() {
     }
 }
 
+/// Errors of marks all over a ball that fills the picture, where single precision is all that there is.
+#[test]
+fn the_rounding_of_a_renderer_is_in_the_sigmas() {
+    let folder = folder();
+    std::fs::write(folder.path().join("ball.toml"), BALL).expect("the folder is there");
+    for renderer in ["packets", "reference"] {
+        let camera =
+            format!("--scene ball.toml --beta 0.9 --d 0.1 --size 160x120 --fov 3 --renderer {renderer}");
+        render(folder.path(), &format!("{camera} --gaze point --exr --frames 4 --from 2 --to 4 --out ride"));
+        let (mut sums, marks) = ([0.0; 2], 12);
+        for number in 0..marks {
+            // Towards the eyes, on a spiral.
+            let (turn, tilt) = (2.4 * f64::from(number), 0.05 * f64::from(number));
+            let (sin, cos) = turn.sin_cos();
+            let rest = [
+                0.12 * tilt.sin() * cos,
+                3.0 - 0.12 * (0.83 * tilt.cos() - 0.55 * tilt.sin() * sin),
+                2.0 - 0.12 * (0.55 * tilt.cos() + 0.83 * tilt.sin() * sin),
+            ];
+            let length = rest.iter().zip([0.0, 3.0, 2.0]).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+            let centre = [0.0, 3.0, 2.0];
+            let mark = [0, 1, 2].map(|axis| centre[axis] + (rest[axis] - centre[axis]) * 0.12 / length);
+            let point = mark.map(|along| along.to_string()).join(",");
+            let csv = run_gamow(folder.path(), &format!("measure ride --point={point}"));
+            let each = chi_squared_per_sample(&csv, mark);
+            sums = [sums[0] + each[0], sums[1] + each[1]];
+        }
+        let means = sums.map(|sum| sum / f64::from(marks));
+        assert!(means.iter().all(|mean| (0.01..1.7).contains(mean)), "{renderer}: {means:?}");
+        std::fs::remove_dir_all(folder.path().join("ride")).expect("it is there");
+    }
+}
+
 /// The file at `path` as another program leaves it: without texts.
 fn forget(path: &Path) {
     let picture = PngFile::read(path).expect("it was rendered").picture().clone();

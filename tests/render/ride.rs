@@ -85,3 +85,13 @@ fn pictures_of_a_ride_are_refused_by_what_knows_eyes_at_rest() {
     }
     assert_eq!(fs::read_dir(folder.path()).expect("it is there").count(), 1, "only the pictures are there");
 }
+
+/// At a proper acceleration a the horizon is 1/a behind the rider.
+#[test]
+fn eyes_that_reach_to_the_horizon_of_a_ride_are_refused() {
+    let folder = folder();
+    let ride = format!("render {RIDE} --frames 1 --out ride --ride 1@2:-4:4 --d");
+    run_gamow(folder.path(), &format!("{ride} 0.33"));
+    let line = complaint_of(folder.path(), &format!("{ride} 0.34"));
+    assert!(line.contains("--ride") && line.contains("of 6") && line.contains("0.333"), "{line}");
+}

@@ -33,6 +33,15 @@ pub struct Leg {
     pub acceleration: [f64; 3],
 }
 
+impl Leg {
+    /// Magnitude of the proper acceleration, c per unit of proper time.
+    #[must_use]
+    pub fn magnitude(&self) -> f64 {
+        let [ahead, left, up] = self.acceleration;
+        math::hypot(ahead, math::hypot(left, up))
+    }
+}
+
 /// The velocity of a rider. Along the street it is kept as the rapidity, in which pushes add up exactly: who
 /// brakes as long as they pedalled is at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]

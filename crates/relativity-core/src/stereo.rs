@@ -46,8 +46,8 @@ pub struct Stereo {
     /// Stereo gain, above 0: the factor by which the eyes would have to be further apart to see this parallax
     /// at a resting point in the same place. It is the part of the parallax across the line of sight in the
     /// direction that a resting point's has, over that. (The line of sight is the mean of both.) For eyes
-    /// along x that is all of it, (`X_left` - `X_right`)/d, and near gamma D as d -> 0. For eyes along x the
-    /// gain is that quotient for a point of a wheel too, although its lines of sight also differ in height.
+    /// along x and a point that moves along x that is all of it, (`X_left` - `X_right`)/d, and near gamma D as
+    /// d -> 0.
     pub gain: f64,
     /// The middle of the shortest connection of both lines of sight, from the middle between the eyes. Of
     /// eyes along x it is, as d -> 0, the apparent position over gamma D.

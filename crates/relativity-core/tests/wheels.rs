@@ -233,17 +233,31 @@ fn two_eyes_take_a_point_of_a_wheel_to_be_where_their_lines_of_sight_come_closes
                         assert!((position[i] - place[i]).abs() < 1e-9 * size, "{position:?} {place:?}");
                     }
                     assert!((miss - apart).abs() < 1e-9 * size, "{miss} {apart}");
-                    if baseline.is_along_motion() {
-                        let quotient = (primary.position[0] - secondary.position[0]) / 0.3;
-                        assert!((gain - quotient).abs() < 1e-12 * gain, "{gain} {quotient}");
-                    }
+                    let share = parallax_along_resting(pair, [&primary, &secondary]);
+                    assert!((gain - share).abs() < 1e-11 * gain, "{gain} {share}");
                 }
             }
         }
     }
 }
 
-/// With V the velocity on the ground and n the line of sight it is 1 - `V_x n_x`/(1 + V.n).
+/// The part of the parallax, across the mean line of sight, along a resting point's, over that.
+fn parallax_along_resting(pair: [Aperture; 2], views: [&Sighting; 2]) -> f64 {
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let [u, v] = views.map(|view| view.position);
+    let mean = [0, 1, 2].map(|i| u[i] + v[i]);
+    let across = |a: [f64; 3]| {
+        let along = dot(a, mean) / dot(mean, mean);
+        [0, 1, 2].map(|i| a[i] - along * mean[i])
+    };
+    let [left, right] = pair.map(|Aperture { x, y, z }| [x, y, z]);
+    let at_rest = across([0, 1, 2].map(|i| right[i] - left[i]));
+    dot(across([0, 1, 2].map(|i| u[i] - v[i])), at_rest) / dot(at_rest, at_rest)
+}
+
+/// With V the velocity on the ground and n the line of sight the parallax is `e_x` - V `n_x`/(1 + V.n). The
+/// part across n along that of a resting point, over that, is 1 - `n_x` (`V_x` - `n_x` V.n)/((1 + V.n)(1 -
+/// `n_x`^2)).
 #[test]
 fn the_gain_of_close_eyes_has_a_limit() {
     let (speed, time) = (speed(0.9), 2.3);
@@ -258,7 +272,8 @@ fn the_gain_of_close_eyes_has_a_limit() {
         let velocity = [0, 1, 2].map(|i| (after.0[i] - before.0[i]) / emitted);
         let distance = h.iter().map(|part| part * part).sum::<f64>().sqrt();
         let along: f64 = (0..3).map(|i| velocity[i] * h[i] / distance).sum();
-        let expected = 1.0 - velocity[0] * h[0] / distance / (1.0 + along);
+        let n_x = h[0] / distance;
+        let expected = 1.0 - n_x * (velocity[0] - n_x * along) / ((1.0 + along) * (1.0 - n_x * n_x));
         assert!((limit.gain - expected).abs() < 1e-6 * expected, "{} {expected} of {point:?}", limit.gain);
         for separation in [1e-13, 1e-9, 1e-5] {
             let near = stereo(&speed, point, Aperture::pair(separation), time).expect("it is in front");

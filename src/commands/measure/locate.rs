@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 use relativity_core::math;
-use relativity_render::Picture;
+use relativity_render::{Method, Picture};
 
 use super::place::{PixelPlace, ROUNDING, TargetMask};
 use crate::files::exr::{Channel, Measurements, NO_ANGLE};
@@ -22,6 +22,10 @@ const CUBE_RMS: f64 = 0.018;
 /// Greatest change of a change from pixel to pixel, in parts of it, for differences to say how a surface goes
 /// on.
 const MOST_BENT: f64 = 0.5;
+/// Errors of places that are drawn in single precision, root mean square along an axis and in steps of f32 at
+/// the greatest coordinate. Measured against the reference for packets and rays, from rest to 0.999 c, body by
+/// body: 0.2 to 4. What f64 draws is rounded in the file alone.
+const GRAIN_OF_F32: f64 = 2.0;
 /// Rounds of Newton's method, and the step after which it is settled, px.
 const ROUNDS: usize = 20;
 const SETTLED_PX: f64 = 1e-9;
@@ -85,7 +89,9 @@ pub fn in_layer(
                 }
                 _ => rest.map(Cow::Borrowed),
             };
-            Ok(BodySurface { width, ids, rest }.place(point.into()))
+            let is_exact = settings.quality.method().is_none_or(|method| method == Method::Reference);
+            let grain = if is_exact { ROUNDING } else { GRAIN_OF_F32 };
+            Ok(BodySurface { width, ids, rest, grain }.place(point.into()))
         }
         Target::Body(name) => {
             let body = settings.opened_scene()?.body_called(name).map_err(anyhow::Error::msg)? as f32;
@@ -117,6 +123,8 @@ struct BodySurface<'a> {
     width: usize,
     ids: &'a [f32],
     rest: [Cow<'a, [f32]>; 3],
+    /// Standard deviation of a place along an axis, in steps of f32 at the greatest coordinate.
+    grain: f64,
 }
 
 impl BodySurface<'_> {
@@ -145,8 +153,7 @@ impl BodySurface<'_> {
                 Some(left_out) => coordinates(left_out, across, down)?.map(|part| part.abs().min(ROUNDING)),
                 None => [ROUNDING; 2],
             };
-            // What f32 rounds off.
-            let grain = point.abs().max_element() * f64::from(f32::EPSILON) * ROUNDING / step;
+            let grain = point.abs().max_element() * f64::from(f32::EPSILON) * self.grain / step;
             squares = [0, 1].map(|axis: usize| squares[axis] + left_out[axis].powi(2) + grain.powi(2));
         }
         let (column, row) = (nearest % self.width, nearest / self.width);

@@ -114,6 +114,17 @@ struct DataCurve {
 const EYES: [&str; 3] = ["d", ROLL, TURN];
 const CURVES: [[&str; 2]; 2] = [["dphi", "sigma_dphi"], ["dtheta", "sigma_dtheta"]];
 
+/// What a fit cannot use in the file `name`, whose samples stand in these `lines`.
+fn unusable(error: FitError, name: &str, lines: &[u64], has_unit: bool) -> anyhow::Error {
+    let FitError::Sample { index, quantity, value } = error else {
+        return anyhow::Error::from(error).context(name.to_owned());
+    };
+    let is_angle = CURVES.iter().any(|[curve, _]| *curve == quantity);
+    let hint =
+        if is_angle && !has_unit { ": angles in another unit than radians need --angle-unit" } else { "" };
+    anyhow::anyhow!("{name}:{}: column {quantity}: {value} is not usable{hint}", lines[index])
+}
+
 impl Data {
     /// Reads `input`, called `name` in errors, of `eyes` there, in `assumed` units where it says none.
     ///
@@ -140,6 +151,7 @@ impl Data {
             }
             let is_of_units = is_first && header.learn(&row, &mut treatment).with_context(|| place(line))?;
             if is_first {
+                treatment.note_units(header.columns_mut().map(|(name, column)| (name, *column)));
                 said = header.assume(assumed).with_context(|| place(line))?;
             }
             is_first = false;
@@ -161,14 +173,9 @@ impl Data {
             samples.push(sample);
             lines.push(line);
         }
-        treatment.note_units(header.columns_mut().map(|(name, column)| (name, *column)));
         let pairs = baselines.iter().map(Baseline::apertures).collect();
-        let observations = Observations::new(pairs, samples).map_err(|error| match error {
-            FitError::Sample { index, quantity, value } => {
-                anyhow::anyhow!("{name}:{}: column {quantity}: {value} is not usable", lines[index])
-            }
-            other => anyhow::Error::from(other).context(name.to_owned()),
-        })?;
+        let observations = Observations::new(pairs, samples)
+            .map_err(|error| unusable(error, name, &lines, said.angles.is_some()))?;
         Ok(Self {
             observations,
             has: header.curves.map(|curve| curve.is_some()),

@@ -203,11 +203,8 @@ impl WheelPoint {
         if baseline == [0.0; 3] {
             baseline[0] = HAIR * self.radius;
         }
-        let [s, y, z] = baseline;
         let SeenPair { lines, .. } = self.seen_by_pair(speed, pair, observation_time, baseline);
-        let fused = stereo::meeting(&lines, baseline).ok_or(StereoError::Apart)?;
-        let gain = if [y, z] == [0.0; 2] { lines.difference[0] / s } else { fused.gain };
-        Ok(Stereo { gain, ..fused })
+        stereo::meeting(&lines, baseline).ok_or(StereoError::Apart)
     }
 }
 

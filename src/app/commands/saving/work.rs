@@ -4,14 +4,14 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use gamow_platform::files::{self, Sent};
-use relativity_core::DEFAULT_REPLICATES;
+use relativity_core::{DEFAULT_REPLICATES, FitError};
 use relativity_render::Picture;
 use serde::{Deserialize, Serialize};
 
 use super::progress::Reporter;
 use crate::app::tools::worker::{StepOutcome, Wanted, Work};
 use crate::estimate::FitReport;
-use crate::estimate::samples::{FitKey, Fittable};
+use crate::estimate::samples::FitKey;
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
 use crate::flags::words::Shell;
@@ -190,8 +190,13 @@ fn written(path: PathBuf, text: &str) -> anyhow::Result<SaveOutcome> {
 
 /// The numbers of a fit, and a remark on them.
 fn fitted(key: &FitKey) -> anyhow::Result<(FitReport, String)> {
-    let Fittable { observations, options, .. } = key.fittable().map_err(anyhow::Error::msg)?;
-    let report = |replicates| FitReport::new(&observations, &options, replicates, key.setup.seed);
+    let samples = key.fittable().map_err(anyhow::Error::msg)?;
+    let report = |replicates| -> Result<FitReport, FitError> {
+        let mut report = FitReport::new(&samples.observations, &samples.options, replicates, key.setup.seed)?;
+        samples.name_lines(&mut report.outliers);
+        report.cause = report.warning.as_ref().and_then(|_| key.cause(&samples, report.fit.rms));
+        Ok(report)
+    };
     // Where the replicates cannot be fitted, the numbers are those that stand in the tab.
     Ok(match report(DEFAULT_REPLICATES) {
         Ok(report) => (report, String::new()),

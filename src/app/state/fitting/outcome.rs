@@ -19,7 +19,7 @@ use crate::app::tools::worker::{StepOutcome, Wanted, Work};
 use crate::estimate::outliers::{self, Outlier};
 use crate::estimate::residuals::{self, Residuals};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
-use crate::estimate::{Estimate, cause, estimate, other_side};
+use crate::estimate::{Estimate, estimate, other_side};
 use crate::plot::CurveSample;
 
 /// The samples and what became of them.
@@ -223,7 +223,8 @@ impl Fitted {
         let residuals = best.serial.map(Residuals::from);
         let is_chance = residuals::are_chance(best);
         let observed = &samples.observations;
-        let found = outliers::find(best, observed);
+        let mut found = outliers::find(best, observed);
+        samples.name_lines(&mut found);
         let at_samples: Vec<_> =
             observed.samples().iter().map(|sample| fitted_angles(best, sample.pair, sample.time)).collect();
         Ok(Self {
@@ -242,19 +243,12 @@ impl Fitted {
             readings: best.readings,
             residuals,
             warning: residuals::remark(&[(best.options.curves.name(), residuals)]),
-            cause: if is_chance { None } else { cause_of(key, samples, best) },
+            cause: if is_chance { None } else { key.cause(samples, best.rms) },
             outliers: outliers::remark(&found),
             other_side: other_side::remark(best),
             no_bootstrap,
         })
     }
-}
-
-/// What explains the readings of a file that `best` does not, and the command for it.
-fn cause_of(key: &FitKey, samples: &Fittable, best: &Fit) -> Option<String> {
-    let Samples::Measured(file, _) = &key.samples else { return None };
-    let cause = cause::find(&samples.observations, &samples.options, Some(best.rms), samples.said)?;
-    Some(cause.told(&file.name, ""))
 }
 
 /// Delta-phi and Delta-theta of the best fit for a pair of eyes, where they are numbers.
