@@ -78,8 +78,8 @@ impl Settings {
         }
     }
 
-    /// Returns the same look as it is shown: on a canvas that keeps its height, a field of view that is set is that of
-    /// a picture of 16:9, and a wider one shows as much in height and more at its sides.
+    /// Returns the same look as it is shown: on a canvas that keeps its height, a field of view that is set
+    /// is that of a picture of 16:9, and a wider one shows as much in height and more at its sides.
     #[must_use]
     pub fn shown_look(
         &self,

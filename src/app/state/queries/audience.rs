@@ -14,7 +14,7 @@ impl State {
         settings.picture.layout.has_both() && (!is_one_left_out || settings.is_comparing())
     }
 
-    /// Whether the layout stays where one eye is left out: before an audience, of two pictures that are apart.
+    /// Whether the layout stays where one eye is left out: before an audience, of two pictures apart.
     #[must_use]
     pub fn may_leave_an_eye_out(&self) -> bool {
         self.session.stage.is_presented() && self.document.settings.picture.layout.shows_two_apart()

@@ -17,8 +17,8 @@ impl State {
         self.document.settings.rider(self.document.time)
     }
 
-    /// Returns the preset that is shown, as long as its words are about that: not about own data, and not of a
-    /// passage once somebody rides.
+    /// Returns the preset that is shown, as long as its words are about that: not where own data are, and not
+    /// of a passage once somebody rides.
     #[must_use]
     pub fn told_preset(&self) -> Option<&'static Preset> {
         let is_told = |preset: &&Preset| {
