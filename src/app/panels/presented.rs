@@ -6,8 +6,7 @@ use eframe::egui::{
     UiBuilder, vec2,
 };
 
-use super::Commands;
-use super::views::BETWEEN_NOTES;
+use super::{BETWEEN_NOTES, Commands};
 use crate::app::commands::actions::keys_of;
 use crate::app::commands::choice_keys;
 use crate::app::commands::{Command, FileCommand, SettingsCommand, Switch};

@@ -24,7 +24,7 @@ use captions::words;
 use markers::{Coat, markers};
 use notes::note;
 
-pub use notes::{BETWEEN_NOTES, note_for_audience};
+pub use notes::note_for_audience;
 pub use pointer::interact;
 
 /// The pictures painted in an eye's pane.

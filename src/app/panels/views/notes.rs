@@ -3,6 +3,7 @@
 use eframe::egui::Ui;
 use relativity_render::{Camera, Colour, Geometry, Method, Projection, StreetColours};
 
+use crate::app::panels::BETWEEN_NOTES;
 use crate::app::state::State;
 use crate::app::views::eyes::ShownPicture;
 use crate::app::views::panes::EyePane;
@@ -30,9 +31,6 @@ pub fn note_for_audience(ui: &Ui, state: &State, pane: EyePane) -> String {
 fn readiness(state: &State) -> Option<String> {
     state.frame.is_getting_ready.then(|| "getting ready".to_owned())
 }
-
-/// Written between two notes.
-pub const BETWEEN_NOTES: &str = "  ·  ";
 
 fn joined(notes: impl IntoIterator<Item = Option<String>>) -> String {
     notes.into_iter().flatten().collect::<Vec<_>>().join(BETWEEN_NOTES)
