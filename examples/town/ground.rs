@@ -1,5 +1,7 @@
 //! Kerbs, and shadows on road and pavements. All of it rests, and so does the sun: the shadows are part of
-//! the ground's paint, and are where the sun throws them. Of a ball it is a disc as large as its ellipse.
+//! the ground's paint. They lie where the sun throws the middles of things; of a ball it is a disc instead of
+//! an ellipse, and less of it at a kerb. In a shadow the light is dimmer, but not bluer, and no body shades
+//! another.
 
 use super::objects::Objects;
 
@@ -28,7 +30,7 @@ fn ground_at(y: f64) -> (&'static str, [f64; 2]) {
     match y {
         _ if y < KERBS[0] => ("pavement", [FRONTS[0], KERBS[0] - KERB[0]]),
         _ if y > KERBS[1] => ("pavement", [KERBS[1] + KERB[0], FRONTS[1]]),
-        _ => ("asphalt_road", KERBS),
+        _ => ("road", KERBS),
     }
 }
 

@@ -24,7 +24,7 @@ use self::trees::{hedge, lobes, shade, tree};
 /// Length of a block, where the first begins, and their number.
 const BLOCK: f64 = 60.0;
 const BEGIN: f64 = -90.0;
-const BLOCKS: usize = 7;
+const BLOCKS: usize = 5;
 /// Height of the ground.
 const GROUND: f64 = -2.5;
 /// From each tree to the next of its kind.
@@ -34,7 +34,7 @@ const FIRST_TREES: [([f64; 2], bool); 4] =
     [([5.0, 0.7], true), ([12.5, 10.6], true), ([20.0, 0.7], false), ([27.5, 10.6], false)];
 
 /// The beginning of the file.
-const HEAD: &str = r#"# A street of a small town, about 270 m long, from the station to the post office. All of it rests. One unit is
+const HEAD: &str = r#"# A street of a small town, about 200 m long, from the station to the post office. All of it rests. One unit is
 # 0.65 m, as on Gamow's street. The sun stands 33 degrees high. `cargo run --example town` writes this file.
 
 name = "A street of a small town"

@@ -10,12 +10,14 @@ pub type Place = [f64; 3];
 const SUNK: f64 = 0.5;
 
 /// The light of objects by the names of their materials: measured ones, and smooth paint in sRGB.
-const PAINTS: [(&str, &str); 26] = [
+const PAINTS: [(&str, &str); 27] = [
     ("cream plaster", "#d8caa4"),
     ("ochre plaster", "#cda25a"),
     ("rose plaster", "#c89a86"),
     ("grey plaster", "#b4b3aa"),
     ("stone", "#ada594"),
+    // That of the street of the program.
+    ("road", "#8f9296"),
     ("window", "#343d47"),
     ("shutter green", "#2f6a43"),
     ("shutter blue", "#3f5f86"),

@@ -6,7 +6,7 @@ use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
     let Some((kind, bytes)) = bytes.split_first() else { return };
-    let ending = if kind % 2 == 0 { "glb" } else { "obj" };
+    let ending = ["glb", "obj", "gltf"][usize::from(kind % 3)];
     if let Ok(model) = read_model(ending, bytes) {
         let _ = model.prepared();
     }

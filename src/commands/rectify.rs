@@ -107,6 +107,7 @@ impl RectifyArgs {
             title: format!("{name}, corrected"),
             parameters: self.parameters(rectification)?,
             scene_fingerprint: String::new(),
+            models: String::new(),
         };
         write_whole(&self.out, |file| png::write(&corrected, &provenance.texts(), file))
     }

@@ -7,6 +7,8 @@ pub const SOFTWARE: &str = concat!("gamow ", env!("CARGO_PKG_VERSION"));
 const PARAMETERS: &str = "Parameters";
 /// The keyword of the one that holds [`Provenance::scene_fingerprint`].
 const SCENE_FINGERPRINT: &str = "Scene-Fingerprint";
+/// The keyword of the one that holds [`Provenance::models`].
+const MODELS: &str = "Models";
 
 /// The provenance of a picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -17,19 +19,28 @@ pub struct Provenance {
     pub parameters: String,
     /// Fingerprint of the scene's content: whether the scene file is still the same.
     pub scene_fingerprint: String,
+    /// Reports on the scene's models, a line each; empty without any.
+    pub models: String,
 }
 
 impl Provenance {
     /// Keywords and texts for a PNG file.
     #[must_use]
-    pub fn texts(&self) -> [(&'static str, &str); 3] {
-        [("Title", &self.title), (PARAMETERS, &self.parameters), (SCENE_FINGERPRINT, &self.scene_fingerprint)]
+    pub fn texts(&self) -> Vec<(&'static str, &str)> {
+        let mut texts = vec![
+            ("Title", &*self.title),
+            (PARAMETERS, &self.parameters),
+            (SCENE_FINGERPRINT, &self.scene_fingerprint),
+        ];
+        texts.extend((!self.models.is_empty()).then_some((MODELS, &*self.models)));
+        texts
     }
 
     /// The comments of an EXR file.
     #[must_use]
     pub fn comments(&self) -> String {
-        [&self.parameters, FINGERPRINT_LINE, &self.scene_fingerprint].concat()
+        let comments = [&self.parameters, FINGERPRINT_LINE, &self.scene_fingerprint].concat();
+        if self.models.is_empty() { comments } else { [&comments, "\n", &self.models].concat() }
     }
 }
 

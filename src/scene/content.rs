@@ -61,9 +61,9 @@ pub struct SceneGroup {
 }
 
 impl Scene {
-    /// Returns what is to be said about the models of the scene, a line each.
-    pub fn remarks(&self) -> impl Iterator<Item = String> {
-        self.models.iter().filter_map(ModelReport::remarks)
+    /// Returns the reports on the models of the scene, a line each.
+    pub fn reports(&self) -> impl Iterator<Item = String> {
+        self.models.iter().map(ModelReport::line)
     }
 }
 

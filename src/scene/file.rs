@@ -1,6 +1,7 @@
 //! The scene format: what each table of a scene file means.
 
-use std::cell::RefCell;
+use std::collections::HashMap;
+use std::ops::Range;
 use std::path::Path;
 use std::rc::Rc;
 use std::sync::OnceLock;
@@ -11,7 +12,7 @@ use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, SceneProblem};
-use super::model::{ModelFiles, Models, model, ridden};
+use super::model::{ModelFiles, Models, Opened, model, ridden};
 use super::names;
 use super::object::{Object, object};
 use super::presets::{self, PRESETS};
@@ -42,8 +43,8 @@ pub(super) fn scene_of_model(path: &Path) -> Result<Scene, String> {
 
 /// The scene that a file's text describes, with these changes to its wheels.
 fn changed_scene(text: &str, changes: Changes, files: ModelFiles<'_>) -> Result<Scene, Located> {
-    let reports = RefCell::default();
-    let models = Models { files, reports: &reports };
+    let opened = Opened::default();
+    let models = Models { files, opened: &opened };
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene", models };
     top.check_keys(&[
@@ -64,7 +65,7 @@ fn changed_scene(text: &str, changes: Changes, files: ModelFiles<'_>) -> Result<
         return Err(Located { span: top.span, problem: SceneProblem::Empty });
     };
     let tracked = tracked.unwrap_or(forward_most);
-    let models = reports.take();
+    let models = opened.into_reports();
     Ok(Scene { name, bodies, names, groups, tracked, rider, metres, ground_z, street, models })
 }
 
@@ -149,35 +150,40 @@ fn motion(group: &Table) -> Result<Motion, Located> {
 fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     let mut objects = Vec::new();
     let includes = group.tables("include", "an include")?;
-    for (number, include) in includes.iter().enumerate() {
-        objects.extend(included(include, &label(&includes, number), changes)?);
+    let mut add = |span: &Range<usize>, more: Vec<Object>| {
+        objects.extend(more);
+        let span = span.clone();
+        let is_full = objects.len() > sizes::BODIES;
+        if is_full { Err(Located { span, problem: SceneProblem::ManyBodies }) } else { Ok(()) }
+    };
+    for (include, label) in includes.iter().zip(labels(&includes)) {
+        add(&include.span, included(include, &label, changes)?)?;
     }
     for table in group.tables("wheel", "a wheel")? {
-        objects.extend(wheel(&table, changes)?);
+        add(&table.span, wheel(&table, changes)?)?;
     }
     for table in group.tables("model", "a model")? {
-        objects.extend(model(&table, changes)?);
+        add(&table.span, model(&table, changes)?)?;
     }
     for table in group.tables("object", "an object")? {
-        let span = table.span.clone();
-        objects.extend(repeated(table)?);
-        if objects.len() > sizes::BODIES {
-            return Err(Located { span, problem: SceneProblem::ManyBodies });
-        }
+        add(&table.span.clone(), repeated(table)?)?;
     }
     Ok(objects)
 }
 
-/// Returns the name of the preset in the include of this `number`, numbered if another of `includes` has the
-/// same.
-fn label(includes: &[Table], number: usize) -> Rc<str> {
-    let scene = |include: &Table| include.string("scene").ok().flatten().unwrap_or_default().to_owned();
-    let own = scene(&includes[number]);
-    let like_it = |includes: &[Table]| includes.iter().filter(|include| scene(include) == own).count();
-    match like_it(includes) {
-        1 => own.into(),
-        _ => format!("{own} {}", like_it(&includes[..=number])).into(),
+/// Returns the name of the preset in each include, numbered if another has the same.
+fn labels(includes: &[Table]) -> Vec<Rc<str>> {
+    let preset = |include| Table::string(include, "scene").ok().flatten().unwrap_or_default();
+    let presets: Vec<&str> = includes.iter().map(preset).collect();
+    let mut counts: HashMap<&str, [usize; 2]> = HashMap::new();
+    for preset in &presets {
+        counts.entry(preset).or_default()[0] += 1;
     }
+    let label = |preset: &str, [count, number]: &mut [usize; 2]| {
+        *number += 1;
+        if *count == 1 { preset.into() } else { format!("{preset} {number}").into() }
+    };
+    presets.into_iter().map(|preset| label(preset, counts.entry(preset).or_default())).collect()
 }
 
 /// Returns the objects of a preset, moved; they move like the group that includes them, and are distinguished
@@ -189,17 +195,19 @@ fn included(include: &Table, label: &Rc<str>, changes: Changes) -> Result<Vec<Ob
         .table("wheels", "`wheels` of an include")?
         .map(|wheels| Changes::from_table(&wheels))
         .transpose()?;
-    let Some(preset) = changed_preset(name, changes.or(own.unwrap_or_default())) else {
+    let changes = changes.or(own.unwrap_or_default());
+    let read = || changed_preset(name, changes);
+    let Some(preset) = include.models.opened.preset(format!("{name} {changes:?}"), read) else {
         return Err(include.problem_at("scene", SceneProblem::UnknownInclude));
     };
     if own.is_some() && !presets::has_wheels(name) {
         return Err(include.problem_at("wheels", |_| SceneProblem::NoWheels(name.to_owned())));
     }
     let offset = include.point("offset")?.unwrap_or_default();
-    let objects = preset.bodies.into_iter().zip(preset.names);
-    let moved = |(body, name): (Body, String)| Object {
-        body: body.moved(offset),
-        name: Some(name),
+    let objects = preset.bodies.iter().zip(&preset.names);
+    let moved = |(body, name): (&Body, &String)| Object {
+        body: body.clone().moved(offset),
+        name: Some(name.clone()),
         include: Some(label.clone()),
         span: include.span.clone(),
     };

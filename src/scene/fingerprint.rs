@@ -37,7 +37,12 @@ impl Scene {
     /// Returns the provenance of a picture of the scene, which this `command` makes.
     #[must_use]
     pub fn provenance(&self, command: String) -> Provenance {
-        Provenance { title: self.name.clone(), parameters: command, scene_fingerprint: self.fingerprint() }
+        Provenance {
+            title: self.name.clone(),
+            parameters: command,
+            scene_fingerprint: self.fingerprint(),
+            models: self.reports().collect::<Vec<_>>().join("\n"),
+        }
     }
 }
 

@@ -42,8 +42,8 @@ pub(super) fn brightness(object: &Table) -> Result<f64, Located> {
     Err(object.wrong("brightness", "above 0 and at most 1"))
 }
 
-/// Returns the measured material that a model's material of this name is: `measured leaves` is one, `leaves`
-/// is paint.
+/// Returns the measured material that a model's material of this name is, if it begins with "measured "; else
+/// it is paint.
 pub(super) fn measured(name: &str) -> Result<Option<Material>, String> {
     let Some(name) = name.strip_prefix(MEASURED) else { return Ok(None) };
     let known = || format!("its material `{MEASURED}{name}` is none: the nearest are {}", nearest_to(name));

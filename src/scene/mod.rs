@@ -4,6 +4,7 @@
 //! compiled in as presets.
 
 mod content;
+mod convex_hull;
 mod error;
 mod file;
 mod fingerprint;
@@ -24,6 +25,7 @@ use std::path::Path;
 use gamow_platform::files;
 
 pub use content::{Scene, SceneGroup, Track};
+pub use convex_hull::convex_hull;
 pub use error::{SceneError, SceneProblem};
 pub use model::ridden::text as scene_text;
 pub use model::{ModelReport, is_model, read_model};

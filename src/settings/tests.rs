@@ -306,6 +306,7 @@ fn through_file(settings: &Settings, path: &Path) -> Settings {
         title: "Any".to_owned(),
         parameters: settings.command(Shell::RECORDED),
         scene_fingerprint: "0".to_owned(),
+        models: "a.glb: 12 triangles".to_owned(),
     };
     let file = std::fs::File::create(path).expect("the folder is there");
     let size = [1, 1];

@@ -90,6 +90,7 @@ fn a_pipe_that_another_file_names_is_refused() {
         title: String::new(),
         parameters: "gamow render --scene=p.toml".to_owned(),
         scene_fingerprint: String::new(),
+        models: String::new(),
     };
     let picture = Picture { size: [1, 1], rgba: vec![[0; 4]] };
     let mut file = fs::File::create(at("seen.png")).expect("it is writable");

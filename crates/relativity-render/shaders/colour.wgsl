@@ -21,10 +21,18 @@ override FORM_TOWARDS: f32;
 override LINE_PER_OCTAVE: f32;
 override GLOW_PER_OCTAVE: f32;
 override PAINTS: i32;
-// Below this speed the parts of the street's daylight are weighted as at it; and the largest gamma beta that
-// it lights.
-override LEAST_BETA: f32;
+// The largest gamma beta that the street's daylight lights; and of its table: the numbers of speeds, of turns
+// and of entries, and how close they are.
 override MOST_RAPID: f32;
+override SKY_SPEEDS: i32;
+override SKY_SPEEDS_PER_OCTAVE: f32;
+override SKY_TURNS: i32;
+override SKY_ENTRIES: i32;
+override SKY_PER_OCTAVE: f32;
+
+// The street's daylight as what moves reflects it, see `light/sky.rs`: a row for each speed and turn, and in
+// it red, green and blue paint side by side.
+@group(0) @binding(3) var sky: texture_2d<f32>;
 
 const LUMINANCE = vec3f(0.2126, 0.7152, 0.0722);
 
@@ -110,78 +118,76 @@ fn arc_cosine(cosine: f32) -> f32 {
     return select(angle, 3.14159265 - angle, cosine < 0.0);
 }
 
-// Places of Gauss and Legendre in [0, 1], and their weights.
-const PARTS = array<vec2f, 6>(
-    vec2f(0.0337652429, 0.0856622462),
-    vec2f(0.1693953068, 0.1803807865),
-    vec2f(0.380690407, 0.2339569673),
-    vec2f(0.619309593, 0.2339569673),
-    vec2f(0.8306046932, 0.1803807865),
-    vec2f(0.9662347571, 0.0856622462),
-);
+// log2 of e to what has this hyperbolic sine.
+fn octaves_of_sinh(x: f32) -> f32 {
+    let octaves = log2(abs(x) + sqrt(1.0 + x * x));
+    return select(octaves, -octaves, x < 0.0);
+}
 
-// `light` and `paint` as above; its parts as `light/daylight.rs` has them, the hottest first. Paint other than
-// white is smooth paint that stands for it, and what is left of its colour: see `colour/sunlit.rs`.
+// The colour of paint with these shares of red, green and blue, at a place in a row of the sky; w: log2 of
+// white's level.
+fn sky_at(row: i32, place: f32, shares: vec3f) -> vec4f {
+    let below = min(i32(place), SKY_ENTRIES - 2);
+    var sum = vec3f(0.0);
+    var level = 0.0;
+    for (var primary = 0; primary < 3; primary++) {
+        let at = vec2i(primary * SKY_ENTRIES + below, row);
+        let entry = mix(textureLoad(sky, at, 0), textureLoad(sky, at + vec2i(1, 0), 0), place - f32(below));
+        sum += entry.rgb * shares[primary];
+        level = entry.a;
+    }
+    return vec4f(sum, level);
+}
+
+// As `reflected` in `light/sky.rs`, of paint with these shares, where `octaves` is log2 of the mean Doppler
+// factor.
+fn reflected_of_sky(facing: Facing, octaves: f32, shares: vec3f) -> vec4f {
+    let motion = octaves_of_sinh(facing.rapid);
+    let of_normal = clamp(octaves_of_sinh(facing.rapid * facing.ahead) / max(motion, 1e-30), -1.0, 1.0);
+    let speed = clamp(motion * SKY_SPEEDS_PER_OCTAVE, 0.0, f32(SKY_SPEEDS - 1));
+    let turn = arc_cosine(-of_normal) / 3.14159265 * f32(SKY_TURNS - 1);
+    let first = SUNLIT_AT_REST / SUNLIT_PER_OCTAVE;
+    let place = (octaves + first) * SKY_PER_OCTAVE;
+    let inside = clamp(place, 0.0, f32(SKY_ENTRIES - 1));
+    let corner = vec2i(min(i32(speed), SKY_SPEEDS - 2), min(i32(turn), SKY_TURNS - 2));
+    let share = vec2f(speed, turn) - vec2f(corner);
+    let row = corner.x * SKY_TURNS + corner.y;
+    let slower = mix(sky_at(row, inside, shares), sky_at(row + 1, inside, shares), share.y);
+    let faster = row + SKY_TURNS;
+    let found = mix(slower, mix(sky_at(faster, inside, shares), sky_at(faster + 1, inside, shares), share.y), share.x);
+    return vec4f(found.rgb, found.a + max(place - f32(SKY_ENTRIES - 1), 0.0) / SKY_PER_OCTAVE);
+}
+
+// log2 of the mean Doppler factor of the light of a hemisphere: see `light/daylight.rs`.
+fn mean_octaves(facing: Facing) -> f32 {
+    let time = facing.rapid * facing.ahead;
+    let across = sqrt(1.0 + time * time);
+    let gamma = sqrt(1.0 + facing.rapid * facing.rapid);
+    return log2(gamma / across * (1.0 - time / (3.0 * across))) + octaves_of_sinh(time);
+}
+
+// `light` and `paint` as above. Paint other than white is smooth paint that stands for it, and what is left of
+// its colour: see `colour/sunlit.rs`.
 fn of_street_daylight(light: vec4f, shift: f32, facing: Facing, paint: vec4f) -> vec4f {
     let row = kind_of(light, paint);
     let seen_at = SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * shift;
-    var stand_in = vec3f(0.0);
+    var stand_in = vec3f(1.0);
     var rest = vec3f(0.0);
-    if row < 0 {
-        let of_paint = shares_of(light, paint);
-        stand_in = sunlit(FIRST_SUNLIT + PAINTS, of_paint, seen_at).rgb;
-        rest = sunlit(FIRST_SUNLIT, of_paint, seen_at).rgb;
-    } else if row != WHITE_ROW {
-        stand_in = looked_up(row + PAINTS, seen_at).rgb;
-        rest = looked_up(row, seen_at).rgb;
-    }
-    let first_light = FIRST_SUNLIT + 2 * PAINTS;
     if row != WHITE_ROW {
-        rest -= sunlit(first_light, stand_in, seen_at).rgb;
-    }
-    let ahead = facing.ahead;
-    let gamma = sqrt(1.0 + facing.rapid * facing.rapid);
-    let beta = facing.rapid / gamma;
-    let below_light = 1.0 / (gamma * gamma * (1.0 + beta));
-    let weighed = max(beta, LEAST_BETA);
-    let beside = select(below_light, 1.0 - LEAST_BETA, beta < LEAST_BETA);
-    let across = sqrt(max(1.0 - ahead * ahead, 0.0));
-    let faces_back = ahead < 0.0;
-    let hottest = beside + select(0.0, weighed * ahead * ahead / (1.0 + across), faces_back);
-    let coldest = 1.0 + weighed * select(across, 1.0, faces_back);
-    let first = log2(hottest);
-    let octaves = log2(coldest / hottest);
-    var parts = PARTS;
-    var sum = vec3f(0.0);
-    var shares = 0.0;
-    var beyond = 0.0;
-    var hottest_place = 0.0;
-    for (var i = 0; i < 6; i++) {
-        let slowed = exp2(first + octaves * parts[i].x);
-        let aside = clamp((slowed - beside) / weighed, 0.0, 2.0);
-        let along = ahead * (1.0 - aside);
-        let sideways = across * sqrt(max(aside * (2.0 - aside), 0.0));
-        let half_turn = arc_cosine(clamp(-along / max(sideways, 1e-9), -1.0, 1.0));
-        let seen = along * half_turn + sqrt(max(sideways * sideways - along * along, 0.0));
-        let share = parts[i].y * slowed * seen;
-        let log2_doppler = -log2(gamma * (below_light + beta * aside));
-        let place = SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * (shift + log2_doppler);
-        var entry: vec4f;
-        if row == WHITE_ROW {
-            entry = risen(looked_up(WHITE_ROW, place), place, SUNLIT_PER_OCTAVE);
+        if row < 0 {
+            let of_paint = shares_of(light, paint);
+            stand_in = sunlit(FIRST_SUNLIT + PAINTS, of_paint, seen_at).rgb;
+            rest = sunlit(FIRST_SUNLIT, of_paint, seen_at).rgb;
         } else {
-            entry = sunlit(first_light, stand_in, place) + vec4f(rest, 0.0);
+            stand_in = looked_up(row + PAINTS, seen_at).rgb;
+            rest = looked_up(row, seen_at).rgb;
         }
-        let power = entry.a + light.w;
-        if i == 0 {
-            // Beyond what floats hold all are held back alike: so their mixture keeps its hue.
-            beyond = max(power - MOST_POWER, 0.0);
-            hottest_place = place;
-        }
-        sum += entry.rgb * (share * power_of_two(power - beyond));
-        shares += share;
+        rest -= sunlit(FIRST_SUNLIT + 2 * PAINTS, stand_in, seen_at).rgb;
     }
-    return shown(on_screen(sum / max(shares, 1e-30)), unseen_at(FIRST_SUNLIT, hottest_place));
+    let octaves = shift + mean_octaves(facing);
+    let found = reflected_of_sky(facing, octaves, stand_in);
+    let seen = on_screen((found.rgb + rest) * power_of_two(found.a + light.w));
+    return shown(seen, unseen_at(FIRST_SUNLIT, SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * octaves));
 }
 
 fn colour_of(light: vec4f, doppler: f32, facing: Facing, paint: vec4f) -> vec4f {
@@ -203,8 +209,8 @@ fn colour_of(light: vec4f, doppler: f32, facing: Facing, paint: vec4f) -> vec4f 
 }
 
 // Of a body with this `light`, which is rgb and the unseen share at rest, else as above, on this `paint`, in
-// the pixel with this middle. Form comes after the shoulder: so it shows in what is very bright, and in what is all but
-// black.
+// the pixel with this middle. Form comes after the shoulder: so it shows in what is very bright, and in what is
+// all but black.
 fn received_colour(
     light: vec4f,
     paint: vec4f,

@@ -33,7 +33,9 @@ fn plate(copies: f32) -> RawModel {
         materials: Vec::new(),
         reversed: Vec::new(),
         paints: vec![[1.0, 0.9, 0.8], [0.6, 1.0, 1.0], [1.0; 3], [0.5, 0.5, 1.0], [1.0; 3]],
-        textures: vec![waves([Wrap::Repeat, Wrap::Mirror]), waves([Wrap::Clamp, Wrap::Repeat])],
+        textures: [waves([Wrap::Repeat, Wrap::Mirror]), waves([Wrap::Clamp, Wrap::Repeat])]
+            .map(|texture| texture.prepared().expect("a texture"))
+            .to_vec(),
         texture_numbers: vec![0, 1, RawModel::NO_TEXTURE, 0],
         texture_places: places.map(|place: [f32; 2]| place.map(|part| part * copies)).to_vec(),
         is_two_sided: true,
@@ -57,8 +59,14 @@ fn is_inside(hits: &HitImage, i: usize) -> bool {
 /// Near and far, by the rays with as many samples as the reference, by the mesh with one where the reference
 /// has one.
 fn textures_are_the_references(renderers: &mut Renderers) {
-    let appearance =
-        Appearance { colour: Colour::White, intensity_exponent: None, sky: false, ..Appearance::default() };
+    // White at rest stays below the shoulder: so the mean of what is seen is that of the texture.
+    let appearance = Appearance {
+        colour: Colour::White,
+        intensity_exponent: None,
+        exposure_ev: -1.0,
+        sky: false,
+        ..Appearance::default()
+    };
     for copies in [0.4, 2.0, 1000.0] {
         let scene = scene_of(plate(copies));
         for (geometry, beta) in [

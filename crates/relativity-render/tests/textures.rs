@@ -1,12 +1,14 @@
 //! Textures on triangles: where their texels are seen, against the geometry of rays, and what they are from
 //! afar.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use relativity_core::{Aperture, Speed};
 use relativity_render::colour::{srgb_decoded, srgb_encoded};
 use relativity_render::{
     Appearance, Body, Camera, Colour, Gaze, Geometry, Method, PreparedScene, RawModel, Renderers, Texture,
-    View, Wrap,
+    TrianglesError, View, Wrap,
 };
 
 const SIZE: [u32; 2] = [80, 60];
@@ -43,7 +45,7 @@ fn plate(texture: Texture, copies: f32) -> RawModel {
         triangles: vec![[0, 1, 2], [0, 2, 3]],
         texture_numbers: vec![0, 0],
         texture_places: corners.map(|(_, place)| place.map(|part| part * copies)).to_vec(),
-        textures: vec![texture],
+        textures: vec![texture.prepared().expect("a texture")],
         is_two_sided: true,
         ..RawModel::default()
     }
@@ -220,11 +222,7 @@ fn what_is_no_texture_is_refused() {
         (refused(&|model| model.texture_places.truncate(3)), each),
         (refused(&|model| model.texture_numbers.clear()), each),
         (
-            refused(&|model| model.textures[0].size = [64, 63]),
-            "texture 0 of the model has not as many texels as its size needs",
-        ),
-        (
-            refused(&|model| model.textures[0].size = [1 << 31, 1 << 31]),
+            refused(&|model| Arc::make_mut(&mut model.textures[0]).levels[0].size = [1 << 31, 1 << 31]),
             "the textures of the model have 4611686018427387904 texels, and 67108864 are the most",
         ),
         (
@@ -234,5 +232,9 @@ fn what_is_no_texture_is_refused() {
     ];
     for (found, expected) in texts {
         assert_eq!(found, expected);
+    }
+    for size in [[64, 63], [0, 64], [1 << 31, 1 << 31]] {
+        let refused = Texture { size, ..graded(Wrap::Repeat) }.prepared();
+        assert_eq!(refused.expect_err("it is wrong"), TrianglesError::Texture);
     }
 }

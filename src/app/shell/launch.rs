@@ -60,9 +60,9 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     keeper.end()
 }
 
-/// Prints what is to be said about the models of the scene.
+/// Prints the reports on the models of the scene.
 fn report(state: &State) {
-    state.document.scene.remarks().for_each(|remark| messages::remark(format_args!("gamow: {remark}")));
+    state.document.scene.reports().for_each(|report| messages::remark(format_args!("gamow: {report}")));
 }
 
 /// Has the tables made in which colours are looked up, while the window opens: its first frame needs them,

@@ -40,10 +40,10 @@ fn without_headset(look: &mut LookSettings) -> Option<Notice> {
     })
 }
 
-/// Returns the message about the models of `scene`, if there is anything to say.
+/// Returns the message about the models of `scene`, if it has any from files.
 pub(in crate::app) fn report(scene: &Scene) -> Option<Notice> {
-    let remarks: Vec<_> = scene.remarks().collect();
-    (!remarks.is_empty()).then(|| Notice::done(remarks.join(". ")))
+    let reports: Vec<_> = scene.reports().collect();
+    (!reports.is_empty()).then(|| Notice::done(reports.join(". ")))
 }
 
 impl Document {

@@ -43,7 +43,11 @@ What is measured:
                  shows is really seen, by the light cone in f64, arcseconds
   D              relative error of the Doppler factor, in each view, and the worst at each speed
   wrong body     pixels that show another body than the reference, per pixel that shows
-                 one; where two bodies share a surface, that of the first is right";
+                 one; where two bodies share a surface, that of the first is right
+
+Colours are not measured here. Those of paint come from tables: in daylight at most 1 of 255
+levels off their integrals, for what moves through the street's daylight as much up to 0.9 c
+and at most 4 at 0.99 c (smooth paint; of measured materials see docs/real-light.md).";
 
 const EXAMPLES: &str = "\
 Examples:

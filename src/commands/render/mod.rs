@@ -72,7 +72,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let settings = vr180::fitted(args.start.settings(Settings::default())?)?;
     args.times.check_renderer(settings.quality.renderer)?;
     let mut studio = Studio::new(settings)?;
-    studio.scene().remarks().for_each(|remark| messages::remark(format_args!("gamow: {remark}")));
+    studio.scene().reports().for_each(|report| messages::remark(format_args!("gamow: {report}")));
     let kind = match output {
         RenderOutput::File(kind) => kind,
         RenderOutput::Sequence => return sequence::run(&mut studio, &args.times, &args.out),

@@ -3,6 +3,7 @@
 use std::cell::{Cell, RefCell};
 
 use gamow_platform::messages;
+use relativity_render::geometry::triangles::MOST_TEXELS;
 
 /// Most remarks that are kept of a model.
 const MOST_REMARKS: usize = 20;
@@ -21,12 +22,15 @@ pub struct Companions<'a> {
     spelt: &'a dyn Fn(&str) -> Option<String>,
     searches: Cell<u32>,
     remarks: RefCell<Vec<String>>,
+    /// Number of texels that its pictures may have together.
+    pub texels: Cell<u64>,
 }
 
 impl<'a> Companions<'a> {
     /// Returns the files that `read` has, and `spelt` finds in another spelling.
     pub fn new(read: Read<'a>, spelt: &'a dyn Fn(&str) -> Option<String>) -> Self {
-        Self { read, spelt, searches: Cell::new(0), remarks: RefCell::default() }
+        let (searches, texels) = (Cell::new(0), Cell::new(MOST_TEXELS));
+        Self { read, spelt, searches, remarks: RefCell::default(), texels }
     }
 
     /// Returns the bytes of the file that the model calls `name`: there, or else in one of these folders by

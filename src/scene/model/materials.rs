@@ -273,7 +273,7 @@ mod tests {
 
     #[test]
     fn materials_are_bounded() {
-        let text: String = (0..400).map(|number| format!("newmtl {number}\n")).collect();
+        let text = (0..400).map(|number| format!("newmtl {number}")).collect::<Vec<_>>().join("\n");
         let read = |_: &str| Ok(text.clone().into_bytes());
         let companions = Companions::new(&read, &|_| None);
         let mut materials = Materials::default();

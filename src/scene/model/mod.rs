@@ -8,6 +8,7 @@ mod limits;
 mod lines;
 mod materials;
 mod obj;
+mod opened;
 mod parts;
 mod picture;
 mod report;
@@ -27,14 +28,26 @@ use relativity_render::{Body, RawModel};
 
 use self::companions::Companions;
 pub(super) use self::files::ModelFiles;
+use self::limits::Room;
+use self::opened::ModelBodies;
+pub(super) use self::opened::{Models, Opened};
 use self::parts::NamedModel;
 pub use self::report::ModelReport;
-pub(super) use self::report::Models;
 use super::error::{Located, SceneProblem};
 use super::light::brightness;
 use super::object::Object;
 use super::table::Table;
 use super::wheel::Changes;
+
+/// The form of a model, wherever it is: models of one form share their triangles.
+#[derive(Debug)]
+struct Form<'a> {
+    path: &'a str,
+    axes: DMat3,
+    is_two_sided: bool,
+    wheels: Vec<&'a str>,
+    turning: Option<Turning>,
+}
 
 /// Parses a model, and reads its file: the bodies of its wheels come after the rest of it. These changes to
 /// wheels are for its own, too.
@@ -54,42 +67,58 @@ pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
         "rim_speed",
     ])?;
     let path = table.needed_string("path")?;
-    let name = table.string("name")?.unwrap_or_else(|| stem(path)).to_owned();
+    let name = table.string("name")?.unwrap_or_else(|| stem(path));
     let (scale, place) = (table.size("scale")?.unwrap_or(1.0), table.point("place")?.unwrap_or_default());
     let axes = scale * DMat3::from_quat(table.turn("the model")?) * upright(table)?;
     let is_two_sided = table.truth("two_sided")?.unwrap_or(true);
     let brightness = brightness(table)?;
-    let refused = |reason: String| {
-        table.problem_at("path", |path| SceneProblem::Model { path, reason: one_line(&reason) })
-    };
     let wheels = table.strings("wheels")?.unwrap_or_default();
     let turning = turning(table, &wheels, changes)?;
-    let mut named = table.models.open(path).map_err(refused)?;
-    for corner in &mut named.model.corners {
-        *corner = (axes * DVec3::from(*corner) + DVec3::from(place)).to_array();
-    }
-    named.model.is_two_sided = is_two_sided;
-    let no_wheel = |reason: String| {
-        table.problem_at("wheels", |value| SceneProblem::ModelWheel { value, reason: one_line(&reason) })
-    };
-    let split = named.split(&wheels).map_err(no_wheel)?;
-    let object = |name: &str, body| Object {
-        body: Body { brightness, ..body },
-        name: Some(name.to_owned()),
+    let form = Form { path, axes, is_two_sided, wheels, turning };
+    let bodies = table.models.bodies(format!("{form:?}"), || form.bodies(table))?;
+    let object = |(part, body): &(Option<String>, Body)| Object {
+        body: Body { brightness, ..body.clone() }.moved(place),
+        name: Some(part.as_deref().unwrap_or(name).to_owned()),
         include: None,
         span: table.span.clone(),
     };
-    let mut objects = Vec::new();
-    if let Some(rest) = split.rest {
-        let triangles = rest.prepared().map_err(|error| refused(error.to_string()))?;
-        objects.push(object(&name, Body::of_triangles(triangles)));
+    Ok(bodies.iter().map(object).collect())
+}
+
+impl Form<'_> {
+    /// Prepares the bodies of a model in `table`.
+    fn bodies(&self, table: &Table) -> Result<ModelBodies, Located> {
+        let refused = |reason: String| {
+            table.problem_at("path", |path| SceneProblem::Model { path, reason: one_line(&reason) })
+        };
+        let no_wheel = |reason: String| {
+            table.problem_at("wheels", |value| SceneProblem::ModelWheel { value, reason: one_line(&reason) })
+        };
+        let named = table.models.open(self.path).map_err(refused)?;
+        table.models.take_triangles(named.model.triangles.len()).map_err(refused)?;
+        let split = named.split(&self.wheels).map_err(no_wheel)?;
+        drop(named);
+        let mut bodies = Vec::new();
+        if let Some(rest) = split.rest {
+            let triangles = self.placed(rest).prepared().map_err(|error| refused(error.to_string()))?;
+            bodies.push((None, Body::of_triangles(triangles)));
+        }
+        for (name, part) in self.wheels.iter().zip(split.parts) {
+            let wheel = rolling::wheel(self.placed(part), self.turning);
+            let refused = |reason| no_wheel(format!("`{}`: {reason}", messages::excerpt(name)));
+            bodies.push((Some((*name).to_owned()), wheel.map_err(refused)?));
+        }
+        Ok(bodies.into())
     }
-    for (name, part) in wheels.iter().zip(split.parts) {
-        let wheel = rolling::wheel(part, turning);
-        let refused = |reason| no_wheel(format!("`{}`: {reason}", messages::excerpt(name)));
-        objects.push(object(name, wheel.map_err(refused)?));
+
+    /// Returns `model` in the axes of the scene.
+    fn placed(&self, mut model: RawModel) -> RawModel {
+        for corner in &mut model.corners {
+            *corner = (self.axes * DVec3::from(*corner)).to_array();
+        }
+        model.is_two_sided = self.is_two_sided;
+        model
     }
-    Ok(objects)
 }
 
 /// The turning of the `wheels` of a model: rolling by default.
@@ -126,17 +155,24 @@ pub fn is_model(path: &Path) -> bool {
     ending.is_some_and(|ending| ENDINGS.iter().any(|known| known.eq_ignore_ascii_case(ending)))
 }
 
-/// Reads the model in the file at `path`, by its ending, with remarks on it.
-fn read(files: &ModelFiles<'_>, path: &str) -> Result<(NamedModel, Vec<String>), String> {
+/// Reads the model in the file at `path`, by its ending, with remarks on it, if it has `room`.
+fn read(files: &ModelFiles<'_>, path: &str, room: &Room) -> Result<(NamedModel, Vec<String>), String> {
     let ending = path.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
     if !ENDINGS.contains(&ending.as_str()) {
         return Err("it must end in .glb, .gltf or .obj".to_owned());
     }
     let folder = path.rfind('/').map_or("", |end| &path[..=end]);
-    let read = |name: &str| files.read(&format!("{folder}{name}"));
+    let bounded = |path: &str| {
+        let bytes = files.read(path)?;
+        room.take_bytes(bytes.len() as u64)?;
+        Ok(bytes)
+    };
+    let read = |name: &str| bounded(&format!("{folder}{name}"));
     let spelt = |name: &str| Some(files.spelt(&format!("{folder}{name}"))?.strip_prefix(folder)?.to_owned());
     let companions = Companions::new(&read, &spelt);
-    let named = parsed(&ending, &files.read(path)?, &companions)?;
+    companions.texels.set(room.texels.get());
+    let named = parsed(&ending, &bounded(path)?, &companions)?;
+    room.texels.set(companions.texels.get());
     Ok((named, companions.into_remarks()))
 }
 

@@ -5,7 +5,7 @@
 //! [`lines`](super::lines) have been checked of it: numbers in f64, and faces by material.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use relativity_render::colour::srgb_decoded;
@@ -56,7 +56,8 @@ pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedMo
     }
     let ModelReader { textures, mut model, .. } = reader;
     textures.put_into(&mut model);
-    Ok(NamedModel { model, parts })
+    let used: HashSet<_> = meshes.iter().filter_map(|it| it.mesh.material_id).collect();
+    Ok(NamedModel { model, parts, materials: used.len() })
 }
 
 /// A model that is being read.

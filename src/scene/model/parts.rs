@@ -12,6 +12,8 @@ use crate::scene::similar::nearest;
 pub(super) struct NamedModel {
     pub model: RawModel,
     pub parts: Vec<NamedPart>,
+    /// Number of its materials.
+    pub materials: usize,
 }
 
 /// A part of a model.
@@ -30,15 +32,15 @@ pub(super) struct Split {
 }
 
 impl NamedModel {
-    /// Takes the parts with these names out of the model.
+    /// Returns the parts with these names, and the model without them.
     ///
     /// # Errors
     ///
     /// A name of no part, or of several; a part without triangles; two parts with triangles in common. In one
     /// line.
-    pub fn split(self, names: &[&str]) -> Result<Split, String> {
+    pub fn split(&self, names: &[&str]) -> Result<Split, String> {
         if names.is_empty() {
-            return Ok(Split { rest: Some(self.model), parts: Vec::new() });
+            return Ok(Split { rest: Some(self.model.clone()), parts: Vec::new() });
         }
         let mut owners: Vec<Option<usize>> = vec![None; self.model.triangles.len()];
         for (number, name) in names.iter().enumerate() {

@@ -42,6 +42,6 @@ fn check([width, height]: [u32; 2], room: u64) -> Result<(), String> {
         return Ok(());
     }
     Err(format!(
-        "it has {width}x{height} pixels; the textures of a model have at most {MOST_TEXELS} together"
+        "it has {width}x{height} pixels; the textures of a scene have at most {MOST_TEXELS} together"
     ))
 }

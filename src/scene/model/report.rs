@@ -1,44 +1,66 @@
-//! The models that are opened with a scene, and what is said about them.
+//! The report on a model that was opened: its contents, and what was left out of it or replaced.
 
-use std::cell::RefCell;
-
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::files::ModelFiles;
 use super::parts::NamedModel;
 
-/// A model that was opened, and remarks on it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+/// A model that was opened.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModelReport {
     /// Path of its file, from the scene.
     pub path: String,
+    /// Number of its triangles.
+    pub triangles: usize,
+    /// Size along the axes of its file, in the units of that.
+    pub size: [f64; 3],
+    /// Number of its materials.
+    pub materials: usize,
+    /// Number of its textures.
+    pub textures: usize,
     /// The remarks: what was left out or replaced.
     pub remarks: Vec<String>,
 }
 
 impl ModelReport {
-    /// Returns the remarks in one line; `None` without any.
-    #[must_use]
-    pub fn remarks(&self) -> Option<String> {
-        (!self.remarks.is_empty()).then(|| format!("{}: {}", self.path, self.remarks.join("; ")))
-    }
-}
-
-/// The models of a scene that is being read.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::scene) struct Models<'a> {
-    pub files: ModelFiles<'a>,
-    pub reports: &'a RefCell<Vec<ModelReport>>,
-}
-
-impl Models<'_> {
-    /// Reads the model in the file at `path`.
-    pub(in crate::scene::model) fn open(&self, path: &str) -> Result<NamedModel, String> {
-        let (named, remarks) = super::read(&self.files, path)?;
-        let mut reports = self.reports.borrow_mut();
-        if reports.iter().all(|report| report.path != path) {
-            reports.push(ModelReport { path: path.to_owned(), remarks });
+    /// Returns the report on the model `named`, of the file at `path`, with these remarks.
+    pub(super) fn new(path: &str, named: &NamedModel, remarks: Vec<String>) -> Self {
+        let model = &named.model;
+        let used = model.triangles.iter().flatten().filter_map(|&corner| model.corners.get(corner as usize));
+        let none = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        let [low, high] = used
+            .fold(none, |[low, high], &corner| [low.min(DVec3::from(corner)), high.max(DVec3::from(corner))]);
+        Self {
+            path: path.to_owned(),
+            triangles: model.triangles.len(),
+            size: (high - low).max(DVec3::ZERO).to_array(),
+            materials: named.materials,
+            textures: model.textures.len(),
+            remarks,
         }
-        Ok(named)
     }
+
+    /// Returns the report in one line.
+    #[must_use]
+    pub fn line(&self) -> String {
+        let [length, width, height] = self.size.map(rounded);
+        let counts = [
+            counted(self.triangles, "triangle", "triangles"),
+            format!("{length} by {width} by {height}"),
+            counted(self.materials, "material", "materials"),
+            counted(self.textures, "texture", "textures"),
+        ];
+        let parts = std::iter::once(counts.join(", ")).chain(self.remarks.iter().cloned());
+        format!("{}: {}", self.path, parts.collect::<Vec<_>>().join("; "))
+    }
+}
+
+/// Returns a number with what is counted.
+pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// Returns a size with four digits.
+fn rounded(size: f64) -> f64 {
+    format!("{size:.3e}").parse().unwrap_or(size)
 }

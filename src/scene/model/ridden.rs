@@ -6,6 +6,7 @@ use gamow_platform::{files, sizes};
 use glam::DVec3;
 use relativity_render::RawModel;
 
+use super::limits::Room;
 use super::{ModelFiles, one_line, read, stem, upright_axes};
 use crate::scene::presets;
 
@@ -27,7 +28,10 @@ const ROAD: f64 = -2.5;
 /// A model outside the folder, or that cannot be read, in one line.
 pub fn text(path: &Path, folder: &Path) -> Result<String, String> {
     let name = path_within(path, folder)?;
-    let model = read(&ModelFiles::Folder(folder), &name).map_err(|reason| one_line(&reason))?.0.model;
+    let model = read(&ModelFiles::Folder(folder), &name, &Room::default())
+        .map_err(|reason| one_line(&reason))?
+        .0
+        .model;
     let street = presets::text("street").and_then(|text| Some(&text[text.find("[[group]]")?..]));
     let title: String = stem(&name).chars().take(sizes::NAME_LETTERS).collect();
     let quoted = |text: &str| toml::Value::from(text).to_string();

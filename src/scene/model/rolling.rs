@@ -8,6 +8,8 @@ use glam::{DVec2, DVec3};
 use relativity_core::Turning;
 use relativity_render::{Body, RawModel, Spin, Triangles};
 
+use crate::scene::convex_hull;
+
 /// Least radius of a wheel.
 const LEAST_RADIUS: f64 = 1e-6;
 /// Relative room for rounding in the search for the circle.
@@ -70,33 +72,6 @@ fn smallest_circle(places: Vec<DVec2>) -> Circle {
         }
         (circle, on) = (larger, kept);
     }
-}
-
-/// Returns the corners of the convex hull of `places`, by the monotone chain.
-///
-/// Reference: A. M. Andrew, *Another efficient algorithm for convex hulls in two dimensions* (1979).
-fn convex_hull(mut places: Vec<DVec2>) -> Vec<DVec2> {
-    places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    places.dedup();
-    let chain = |places: &mut dyn Iterator<Item = &DVec2>| {
-        let mut chain: Vec<DVec2> = Vec::new();
-        for &place in places {
-            while let [.., a, b] = chain[..]
-                && (b - a).perp_dot(place - a) <= 0.0
-            {
-                chain.pop();
-            }
-            chain.push(place);
-        }
-        chain.pop();
-        chain
-    };
-    if places.len() < 3 {
-        return places;
-    }
-    let [mut hull, above] = [chain(&mut places.iter()), chain(&mut places.iter().rev())];
-    hull.extend(above);
-    hull
 }
 
 impl Circle {

@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 use std::hash::Hash;
+use std::sync::Arc;
 
 use gamow_platform::messages;
-use relativity_render::geometry::triangles::MOST_TEXELS;
-use relativity_render::{RawModel, Texture, Wrap};
+use relativity_render::geometry::triangles::texture::MipMap;
+use relativity_render::{RawModel, Wrap};
 
 use super::companions::Companions;
 use super::picture;
@@ -13,7 +14,7 @@ use super::picture;
 /// The textures so far, by what the file calls them.
 pub struct Textures<Key> {
     numbers: HashMap<Key, u32>,
-    all: Vec<Texture>,
+    all: Vec<Arc<MipMap>>,
 }
 
 impl<Key: Eq + Hash> Textures<Key> {
@@ -34,7 +35,7 @@ impl<Key: Eq + Hash> Textures<Key> {
         if let Some(number) = self.numbers.get(&key) {
             return *number;
         }
-        let number = self.read(wrap, file).unwrap_or_else(|problem| {
+        let number = self.read(wrap, companions, file).unwrap_or_else(|problem| {
             companions.remark(format!("a picture is left out: {problem}"));
             RawModel::NO_TEXTURE
         });
@@ -45,12 +46,14 @@ impl<Key: Eq + Hash> Textures<Key> {
     fn read(
         &mut self,
         wrap: [Wrap; 2],
+        companions: &Companions<'_>,
         file: impl FnOnce() -> Result<(Vec<u8>, String), String>,
     ) -> Result<u32, String> {
         let (bytes, name) = file()?;
-        let used: u64 = self.all.iter().map(|texture| texture.texels.len() as u64).sum();
-        let texture = picture::texture(&bytes, wrap, MOST_TEXELS.saturating_sub(used))
+        let texture = picture::texture(&bytes, wrap, companions.texels.get())
+            .and_then(|texture| texture.prepared().map_err(|error| error.to_string()))
             .map_err(|problem| format!("cannot read {}: {problem}", messages::excerpt(&name)))?;
+        companions.texels.set(companions.texels.get().saturating_sub(texture.count()));
         self.all.push(texture);
         Ok(self.all.len() as u32 - 1)
     }

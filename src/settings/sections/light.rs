@@ -53,8 +53,8 @@ pub struct LightSettings {
     /// Whether the sky behind the scene is a gradient; otherwise it is plain.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub sky: OnOff,
-    /// Colours of road, ground, house fronts and sky as a rider sees them: their paints count as grey. Eyes
-    /// at rest see them as painted.
+    /// Colours of road, ground, house fronts and sky as a rider sees them: smooth paint in measured daylight.
+    /// Eyes at rest see them as painted.
     #[arg(long, alias = "street-colors", value_enum)]
     pub street_colours: StreetColours,
     /// Whether sky and ground are light.

@@ -3,6 +3,8 @@
 //! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over
 //! sky and ground and applies the sRGB curve.
 
+use std::sync::OnceLock;
+
 use super::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
 use super::device::Gpu;
 use super::drawing::{Drawing, Shot};
@@ -13,13 +15,13 @@ use super::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORM
 use crate::frame::hit_numbers::HitNumbers;
 use crate::frame::pipeline_key::Key;
 use crate::frame::uniform::FrameUniform;
-use crate::light::palette;
+use crate::light::{palette, sky};
 use crate::picture::hit::HitImage;
 use crate::scene::prepared_scene::PreparedScene;
 use crate::shaders::BACKDROP;
 use crate::street::backdrop::{LastPass, TILES};
 use crate::view::effects::Constant;
-use crate::view::{Appearance, View};
+use crate::view::{Appearance, Colour, View};
 
 #[derive(Debug)]
 pub struct Canvas {
@@ -27,6 +29,8 @@ pub struct Canvas {
     layer_layout: wgpu::BindGroupLayout,
     /// The tables of colours.
     tables: wgpu::TextureView,
+    /// The street's daylight as what moves reflects it, once a picture has shown that.
+    sky: OnceLock<wgpu::TextureView>,
     /// The models of the scene drawn last.
     models: Models,
 }
@@ -34,11 +38,12 @@ pub struct Canvas {
 impl Canvas {
     pub fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;
-        let frame_layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1), models_entry(2)]);
+        let entries = [uniform_entry(), texture_entry(1), models_entry(2), texture_entry(3)];
+        let frame_layout = bind_group_layout(device, &entries);
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
-        let tables = tables(gpu);
+        let tables = numbers(gpu, [palette::ENTRIES, palette::ROWS], &palette::tables());
         let models = Models::new(gpu);
-        Self { frame_layout, layer_layout, tables, models }
+        Self { frame_layout, layer_layout, tables, sky: OnceLock::new(), models }
     }
 
     /// Takes the models of `scene` onto the device, unless they are there; whether it can hold them.
@@ -78,7 +83,7 @@ impl Canvas {
         fill_frame_buffer(gpu, &mut target.frames, &frames);
         let last_passes: Vec<_> =
             last_passes(&frames[0]).map(|pass| (self.last_pass(gpu, pass), TILES[0] * TILES[1])).collect();
-        let frames = self.frame_bind_groups(gpu, &target.frames, frames.len());
+        let frames = self.frame_bind_groups(gpu, &target.frames, frames.len(), appearance.colour);
         self.draw(gpu, target, &frames[0], &last_passes, |pass| {
             drawing.record(pass, &target.vertices, &frames);
         });
@@ -120,7 +125,7 @@ impl Canvas {
     /// of vertices holds the corners of one.
     pub fn try_bodies(&self, gpu: &Gpu, target: &EyeTarget, technique: &Technique, key: Key) {
         let pipeline = technique.pipeline(gpu, &self.body_layout(gpu), key);
-        let frame = &self.frame_bind_groups(gpu, &target.frames, 1)[0];
+        let frame = &self.frame_bind_groups(gpu, &target.frames, 1, Colour::White)[0];
         self.draw(gpu, target, frame, &[], |pass| {
             pass.set_bind_group(0, frame, &[]);
             pass.set_pipeline(&pipeline);
@@ -133,7 +138,7 @@ impl Canvas {
 
     /// Makes the pipeline of a last pass, and draws one tile of `target` with it.
     pub fn try_last_pass(&self, gpu: &Gpu, target: &EyeTarget, pass: LastPass) {
-        let frame = &self.frame_bind_groups(gpu, &target.frames, 1)[0];
+        let frame = &self.frame_bind_groups(gpu, &target.frames, 1, Colour::White)[0];
         self.draw(gpu, target, frame, &[(self.last_pass(gpu, pass), 1)], |_| ());
     }
 
@@ -167,7 +172,7 @@ impl Canvas {
     ) -> Result<HitNumbers, GpuError> {
         let mut buffer = frame_buffer(gpu, frames.len());
         fill_frame_buffer(gpu, &mut buffer, frames);
-        let frames = self.frame_bind_groups(gpu, &buffer, frames.len());
+        let frames = self.frame_bind_groups(gpu, &buffer, frames.len(), Colour::White);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
         let [measures, places, depth] =
             [("measures", MEASURES_FORMAT), ("places", MEASURES_FORMAT), ("depth", DEPTH_FORMAT)]
@@ -189,13 +194,28 @@ impl Canvas {
         Ok(HitNumbers { measures: numbers(&measures)?, places: numbers(&places)? })
     }
 
-    fn frame_bind_groups(&self, gpu: &Gpu, frames: &wgpu::Buffer, count: usize) -> Vec<wgpu::BindGroup> {
-        let [tables, models] = [&self.tables, self.models.view()].map(wgpu::BindingResource::TextureView);
+    /// Returns what the shaders read, for each of these frames of pictures by such colours.
+    fn frame_bind_groups(
+        &self,
+        gpu: &Gpu,
+        frames: &wgpu::Buffer,
+        count: usize,
+        colour: Colour,
+    ) -> Vec<wgpu::BindGroup> {
+        let size = [sky::WIDTH, sky::SPEEDS * sky::TURNS].map(|side| side as u32);
+        let sky = match colour {
+            Colour::StreetDaylight => self.sky.get_or_init(|| numbers(gpu, size, sky::table())),
+            // No other reads it.
+            _ => &self.tables,
+        };
+        let [tables, models, sky] =
+            [&self.tables, self.models.view(), sky].map(wgpu::BindingResource::TextureView);
         let group = |frame| {
             let entries = [
                 wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(frame) },
                 wgpu::BindGroupEntry { binding: 1, resource: tables.clone() },
                 wgpu::BindGroupEntry { binding: 2, resource: models.clone() },
+                wgpu::BindGroupEntry { binding: 3, resource: sky.clone() },
             ];
             bind_group(gpu, &self.frame_layout, &entries)
         };
@@ -276,17 +296,13 @@ fn last_pass_on(
     })
 }
 
-fn tables(gpu: &Gpu) -> wgpu::TextureView {
-    let size = [palette::ENTRIES, palette::ROWS];
+/// A texture of `numbers`.
+fn numbers(gpu: &Gpu, size: [u32; 2], numbers: &[[f32; 4]]) -> wgpu::TextureView {
     let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-    let texture = target::texture(gpu, "tables", size, 1, wgpu::TextureFormat::Rgba32Float, usage);
-    let layout = wgpu::TexelCopyBufferLayout {
-        offset: 0,
-        bytes_per_row: Some(palette::ENTRIES * 16),
-        rows_per_image: None,
-    };
-    let tables = palette::tables();
-    gpu.queue.write_texture(texture.as_image_copy(), bytemuck::cast_slice(&tables), layout, texture.size());
+    let texture = target::texture(gpu, "numbers", size, 1, wgpu::TextureFormat::Rgba32Float, usage);
+    let layout =
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(size[0] * 16), rows_per_image: None };
+    gpu.queue.write_texture(texture.as_image_copy(), bytemuck::cast_slice(numbers), layout, texture.size());
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 

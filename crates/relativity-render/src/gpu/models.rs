@@ -1,12 +1,14 @@
 //! The models of a scene on the device, in one texture: made when a scene with others is drawn, not from
 //! picture to picture.
 
+use std::collections::HashMap;
 use std::sync::{Arc, Weak};
 
 use super::device::Gpu;
 use super::target;
 use crate::geometry::triangles::Triangles;
-use crate::geometry::triangles::packed::{MOST_WAITING, PackedModel, TEXELS, Texel};
+use crate::geometry::triangles::packed::{MOST_WAITING, PackedModel, TEXELS, Texel, packed_texture};
+use crate::geometry::triangles::texture::MipMap;
 use crate::scene::prepared_scene::PreparedScene;
 
 /// Greatest length of a row, texels: a power of two, as every length is.
@@ -63,7 +65,7 @@ impl Models {
     }
 }
 
-/// Models in rows, each from the beginning of one.
+/// Models in rows, each from the beginning of one, and their textures behind them, each once.
 #[derive(Debug)]
 struct Arranged {
     /// The row that each model begins with.
@@ -79,17 +81,53 @@ impl Arranged {
     fn new(models: &[&Arc<Triangles>], largest_side: u32) -> Option<Self> {
         let width = row_length(largest_side);
         let mut arranged = Self { rows: Vec::new(), size: [width, 0], texels: Vec::new() };
+        let mut headers = Vec::new();
         for model in models {
-            let PackedModel { texels, waiting } = model.packed();
+            let PackedModel { texels, waiting, headers: first } = model.packed();
+            headers.push(arranged.texels.len() + first);
             arranged.rows.push(arranged.size[1]);
-            arranged.size[1] += u32::try_from(texels.len().div_ceil(width as usize)).ok()?;
-            if waiting > MOST_WAITING || arranged.size[1] > largest_side {
+            if waiting > MOST_WAITING || !arranged.has_room(texels.len(), largest_side) {
                 return None;
             }
             arranged.texels.extend(texels);
-            arranged.texels.resize(width as usize * arranged.size[1] as usize, Texel::default());
+            arranged.end_row();
         }
+        let mut begun = HashMap::new();
+        for ((model, header), row) in models.iter().zip(headers).zip(arranged.rows.clone()) {
+            for (number, texture) in model.textures().iter().enumerate() {
+                let first = match begun.get(&Arc::as_ptr(texture)) {
+                    Some(first) => *first,
+                    None => arranged.add(texture, largest_side)?,
+                };
+                begun.insert(Arc::as_ptr(texture), first);
+                let from_model = first - width as usize * row as usize;
+                arranged.texels[header + number][3] = u32::try_from(4 * from_model).ok()?;
+            }
+        }
+        arranged.end_row();
         (width as usize >= TEXELS).then_some(arranged)
+    }
+
+    /// Adds a texture, and returns the number of its first texel; `None` if it does not fit.
+    fn add(&mut self, texture: &MipMap, largest_side: u32) -> Option<usize> {
+        let first = self.texels.len();
+        if !self.has_room(texture.texels.len().div_ceil(4), largest_side) {
+            return None;
+        }
+        self.texels.extend(packed_texture(texture));
+        Some(first)
+    }
+
+    /// Whether so many texels more have room where the texture has at most this number of rows.
+    const fn has_room(&self, more: usize, largest_side: u32) -> bool {
+        (self.texels.len() + more).div_ceil(self.size[0] as usize) <= largest_side as usize
+    }
+
+    /// Fills the last row.
+    fn end_row(&mut self) {
+        let width = self.size[0] as usize;
+        self.texels.resize(self.texels.len().next_multiple_of(width), Texel::default());
+        self.size[1] = (self.texels.len() / width) as u32;
     }
 }
 
@@ -130,7 +168,7 @@ fn filled(gpu: &Gpu, size: [u32; 2], texels: &[Texel]) -> wgpu::TextureView {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::triangles::RawModel;
+    use crate::geometry::triangles::{RawModel, Texture, Wrap};
 
     /// A band of triangles, about one of whose corners the next is turned.
     fn band(count: u32) -> Arc<Triangles> {
@@ -156,6 +194,44 @@ mod tests {
     #[test]
     fn rows_are_powers_of_two_within_what_a_device_has() {
         assert_eq!([1, 2048, 3000, 4096, 16384, u32::MAX].map(row_length), [1, 2048, 2048, 4096, 4096, 4096]);
+    }
+
+    /// Two models with one texture, and one with two of them, have each texture once, whole, where their
+    /// headers say.
+    #[test]
+    fn models_share_textures() {
+        let texture = |first: u8| {
+            let texels = (0..15).map(|i| [first + i, i, 7, 255]).collect();
+            Texture { size: [5, 3], texels, wrap: [Wrap::Mirror; 2] }.prepared().expect("a texture")
+        };
+        let (one, other) = (texture(0), texture(100));
+        let square = |textures: &[&Arc<MipMap>]| {
+            let model = RawModel {
+                corners: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+                triangles: vec![[0, 1, 2], [0, 2, 3]],
+                textures: textures.iter().map(|texture| Arc::clone(texture)).collect(),
+                texture_numbers: vec![0, textures.len() as u32 - 1],
+                texture_places: vec![[0.0; 2]; 4],
+                ..RawModel::default()
+            };
+            model.prepared().expect("a model")
+        };
+        let models = [square(&[&one]), square(&[&other, &one]), square(&[&one])];
+        let models: Vec<_> = models.iter().collect();
+        let Arranged { rows, size, texels } = Arranged::new(&models, 64).expect("there is room");
+        let words: Vec<u32> = texels.into_iter().flatten().collect();
+        let mut places = Vec::new();
+        for (model, row) in models.iter().zip(rows) {
+            let (first, headers) = ((size[0] * row) as usize * 4, model.packed().headers);
+            for (number, texture) in model.textures().iter().enumerate() {
+                let header = &words[first + 4 * (headers + number)..][..4];
+                let place = first + header[3] as usize;
+                let found = words[place..].iter().take(texture.texels.len()).map(|word| word.to_le_bytes());
+                assert!(header[..3] == [5, 3, 0x101] && found.eq(texture.texels.iter().copied()));
+                places.push(place);
+            }
+        }
+        assert!(places[0] == places[2] && places[0] == places[3] && places[0] != places[1], "{places:?}");
     }
 
     /// The shader has room for as many links as a packed model may leave.

@@ -8,7 +8,7 @@ use super::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
 use crate::frame::pipeline_key::{AmongOthers, Key, Output};
 use crate::geometry::kind::Kind;
 use crate::light::tone;
-use crate::light::{palette, shade};
+use crate::light::{palette, shade, sky};
 use crate::scene::pattern;
 use crate::view::effects::{Constant, Effects, number};
 
@@ -76,6 +76,7 @@ impl Technique {
         constants.extend(tone::constants());
         constants.extend(palette::constants());
         constants.extend(palette::places());
+        constants.extend(sky::constants());
         constants.extend(pattern::constants(is_patterned, key.geometry));
         constants
     }

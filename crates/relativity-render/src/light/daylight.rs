@@ -6,35 +6,19 @@
 //! and blue ahead. What a surface with the normal n' reflects of it, as a matt one does, is the mean over its
 //! hemisphere, weighted by the cosine: a sum of shifted daylight over w'_x, of which the weight follows from the
 //! angle between n' and the motion alone.
-//!
-//! # An approximation, and its name: daylight in six parts
-//!
-//! That sum is taken at six places, those of Gauss and Legendre over ln D between the coldest and the hottest
-//! light of the hemisphere, with weights that add up to 1. A test below holds it against sums over the whole
-//! hemisphere: where at least a hundredth of the light at rest is received, the light from 450 to 620 nm is
-//! off by at most 0.006 factors of 2 at 0.5 c, 0.021 at 0.9 c, 0.039 at 0.99 c and 0.09 at 0.999 c.
+//! It is taken from the table of [`sky`](super::sky), whose error is told there.
 //!
 //! A point that turns is lit as what it is, a surface with its own velocity: where a wheel touches the road,
 //! it is lit as the road is.
 
+use std::f64::consts::{LN_2, PI};
+
 use glam::DVec3;
-use relativity_core::math::{atan2, exp2, hypot, log2};
+use relativity_core::math::{asinh, atan2, cos, exp2, hypot, log2, sinh};
 
 use crate::kinematics::spin::Spin;
 use crate::view::group_view::GroupView;
 
-/// Places of Gauss and Legendre in [0, 1], and their weights.
-pub const PARTS: [[f64; 2]; 6] = [
-    [0.033_765_242_898_423_99, 0.085_662_246_189_585_17],
-    [0.169_395_306_766_867_74, 0.180_380_786_524_069_3],
-    [0.380_690_406_958_401_56, 0.233_956_967_286_345_52],
-    [0.619_309_593_041_598_4, 0.233_956_967_286_345_52],
-    [0.830_604_693_233_132_3, 0.180_380_786_524_069_3],
-    [0.966_234_757_101_576, 0.085_662_246_189_585_17],
-];
-/// Below this speed the parts are weighted as at it: they differ by less than can be seen, and none is the
-/// difference of two that are nearly equal.
-pub const LEAST_BETA: f64 = 1e-3;
 /// The largest gamma beta that a surface is lit with: its square is a number in f32, and light of one that is
 /// faster is not told from that by any table.
 pub const MOST_RAPID: f64 = 1e15;
@@ -46,20 +30,6 @@ pub struct Facing {
     pub rapid: f64,
     /// The cosine of the angle between the surface's normal and its motion, in its own frame.
     pub ahead: f64,
-}
-
-/// A part of the light that a surface receives.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DaylightPart {
-    /// The share of it in the sum.
-    pub share: f64,
-    /// log2 of the Doppler factor with which it is received.
-    pub log2_doppler: f64,
-}
-
-impl DaylightPart {
-    /// The whole light of a lamp that rides along.
-    pub const OWN: Self = Self { share: 1.0, log2_doppler: 0.0 };
 }
 
 impl Facing {
@@ -82,171 +52,137 @@ impl Facing {
         Self { rapid, ahead: (time / rapid.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0) }
     }
 
-    /// The parts of the light that it receives, the hottest first.
-    pub fn parts(self) -> [DaylightPart; 6] {
+    /// Returns the motion with 2^`head_on_octaves` for the Doppler factor of light from ahead, of a surface
+    /// whose normal has this [`turn`](Self::turn).
+    pub fn of(head_on_octaves: f64, turn: f64) -> Self {
+        let rapid = sinh_of_octaves(head_on_octaves);
+        let time = sinh_of_octaves(-cos(PI * turn) * head_on_octaves);
+        Self { rapid, ahead: if rapid > 0.0 { (time / rapid).clamp(-1.0, 1.0) } else { -cos(PI * turn) } }
+    }
+
+    /// log2 of the Doppler factor of the street's light from straight ahead.
+    pub fn head_on_octaves(self) -> f64 {
+        octaves_of_sinh(self.rapid)
+    }
+
+    /// The turn of the normal from backwards, 0, to ahead, 1.
+    ///
+    /// In the frame of the street the normal is a four-vector, whose rapidity lies between those of the
+    /// motion and against it: its share is minus the cosine of pi times this. So the cone into which light
+    /// crowds ahead has as many turns at any speed, and the edge of the hemisphere moves evenly with them.
+    pub fn turn(self) -> f64 {
+        let [of_normal, of_motion] = [self.rapid * self.ahead, self.rapid].map(octaves_of_sinh);
+        let share = (of_normal / of_motion.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0);
+        atan2((1.0 - share * share).sqrt(), -share) / PI
+    }
+
+    /// log2 of the mean Doppler factor of the photons that it receives, of light that is none the brighter for
+    /// it: power over photons. In the frame of the street its hemisphere is a cap of the sky, over which both
+    /// are polynomials.
+    pub fn mean_octaves(self) -> f64 {
+        let (gamma, time) = (hypot(self.rapid, 1.0), self.rapid * self.ahead);
+        let length = hypot(time, 1.0);
+        // gamma (1 + a) (3 - a) / 3 with a = time / length.
+        log2(gamma / length * (1.0 - time / (3.0 * length))) + octaves_of_sinh(time)
+    }
+
+    /// The share of the light that is received with 2^`octaves` times the frequency, per octave, but for a
+    /// factor, for what moves.
+    pub fn share(self, octaves: f64) -> f64 {
         let Self { rapid, ahead } = self;
         let gamma = hypot(rapid, 1.0);
         let beta = rapid / gamma;
-        let below_light = 1.0 / (gamma * gamma * (1.0 + beta));
-        // As of which speed they are weighted.
-        let (weighed, beside) =
-            if beta < LEAST_BETA { (LEAST_BETA, 1.0 - LEAST_BETA) } else { (beta, below_light) };
-        let across = (1.0 - ahead * ahead).max(0.0).sqrt();
-        // 1 - beta w of the hottest and of the coldest light in the hemisphere.
-        let hottest = beside + if ahead < 0.0 { weighed * ahead * ahead / (1.0 + across) } else { 0.0 };
-        let coldest = 1.0 + weighed * if ahead < 0.0 { 1.0 } else { across };
-        let (first, octaves) = (log2(hottest), log2(coldest / hottest));
-        let parts = PARTS.map(|[place, weight]| {
-            let slowed = exp2(first + octaves * place);
-            // 1 - w.
-            let aside = ((slowed - beside) / weighed).clamp(0.0, 2.0);
-            let log2_doppler = -log2(gamma * (below_light + beta * aside));
-            DaylightPart { share: weight * slowed * seen_share(ahead, across, aside), log2_doppler }
-        });
-        let sum: f64 = parts.iter().map(|part| part.share).sum();
-        parts.map(|part| DaylightPart { share: part.share / sum, ..part })
+        // 1 - beta w, and 1 - w.
+        let slowed = exp2(-octaves) / gamma;
+        let aside = (slowed - 1.0 / (gamma * gamma * (1.0 + beta))) / beta;
+        if (0.0..=2.0).contains(&aside) { slowed * seen_share(ahead, aside) } else { 0.0 }
     }
+}
+
+/// log2 of e to what has this hyperbolic sine.
+fn octaves_of_sinh(sinh: f64) -> f64 {
+    asinh(sinh) / LN_2
+}
+
+fn sinh_of_octaves(octaves: f64) -> f64 {
+    sinh(octaves * LN_2)
 }
 
 /// The mean, over the directions at an angle to the motion with the cosine 1 - `aside`, of the cosine of
 /// their angle to a normal, but for a factor; 0 for those behind the surface. The normal's angle to the
-/// motion has the cosine `ahead` and the sine `across`.
-fn seen_share(ahead: f64, across: f64, aside: f64) -> f64 {
+/// motion has the cosine `ahead`.
+fn seen_share(ahead: f64, aside: f64) -> f64 {
     let along = ahead * (1.0 - aside);
-    let squared = across * across * aside * (2.0 - aside) - along * along;
+    let squared = (1.0 - ahead * ahead) * aside * (2.0 - aside) - along * along;
     let root = squared.max(0.0).sqrt();
     along * atan2(root, -along) + root
 }
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{PI, TAU};
+    use std::array::from_fn;
 
     use super::*;
-    use crate::colour::sunlit;
 
-    const BETAS: [f64; 5] = [0.1, 0.5, 0.9, 0.99, 0.999];
+    const BETAS: [f64; 4] = [0.1, 0.5, 0.9, 0.99];
     const AHEAD: [f64; 9] = [-1.0, -0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9, 1.0];
 
     fn facing(beta: f64, ahead: f64) -> Facing {
         Facing { rapid: beta / (1.0 - beta * beta).sqrt(), ahead }
     }
 
-    /// The factors of 2 by which the parts are off a sum over all directions of the hemisphere, at most, for
-    /// what can be seen of such faces and is received at least a hundredth as bright as at rest.
-    fn worst_error(beta: f64) -> f64 {
-        let gamma = 1.0 / (1.0 - beta * beta).sqrt();
-        let mut worst: f64 = 0.0;
-        for ahead in AHEAD {
-            let across = (1.0 - ahead * ahead).sqrt();
-            let sky = hemisphere(beta, ahead);
-            for step in 0..13 {
-                let eye = gamma * (1.0 - beta) * ((1.0 + beta) / (1.0 - beta)).powf(f64::from(step) / 12.0);
-                let from = (1.0 - eye / gamma) / beta;
-                if ahead * from - across * (1.0 - from * from).max(0.0).sqrt() >= 0.0 {
-                    continue;
-                }
-                let light = |doppler: f64| sunlit::log2_level(doppler.log2()).exp2();
-                let truth: f64 = sky.iter().map(|(share, doppler)| share * light(doppler * eye)).sum();
-                if truth > 0.01 {
-                    let parts = facing(beta, ahead).parts();
-                    let found: f64 =
-                        parts.iter().map(|part| part.share * light(part.log2_doppler.exp2() * eye)).sum();
-                    worst = worst.max((found / truth).log2().abs());
-                }
-            }
-        }
-        worst
-    }
-
-    /// Samples the hemisphere about a normal: share and Doppler factor of the light from each direction,
-    /// evenly over the disc below the hemisphere, which has the cosine in it, and finer where the light is
-    /// crowded.
-    fn hemisphere(beta: f64, ahead: f64) -> Vec<(f64, f64)> {
-        let gamma = 1.0 / (1.0 - beta * beta).sqrt();
-        let across = (1.0 - ahead * ahead).sqrt();
-        let (rings, turns) = (1500, 400);
-        let mut sky = Vec::new();
-        for ring in 0..rings {
-            // The angle from the motion, finer ahead.
-            let edge = |i: i32| PI * (f64::from(i) / f64::from(rings)).powi(3);
-            let [near, far] = [ring, ring + 1].map(edge);
-            let middle = 0.5 * (near + far);
-            let solid = (near.cos() - far.cos()) * TAU / f64::from(turns);
-            let doppler = 1.0 / (gamma * (1.0 - beta * middle.cos()));
-            let mut share = 0.0;
-            for turn in 0..turns {
-                let phi = TAU * (f64::from(turn) + 0.5) / f64::from(turns);
-                share += (ahead * middle.cos() + across * middle.sin() * phi.cos()).max(0.0) * solid / PI;
-            }
-            sky.push((share, doppler));
-        }
-        sky
-    }
-
-    #[test]
-    fn six_parts_are_the_sky_within_what_is_promised() {
-        let errors = BETAS.map(worst_error);
-        println!("off by at most {errors:.4?} factors of 2 at {BETAS:?}");
-        for (error, promised) in errors.into_iter().zip([0.001, 0.006, 0.021, 0.039, 0.09]) {
-            assert!(error < promised, "{errors:?}");
-        }
-    }
-
-    /// The number of photons and the power that a matt face receives, in closed form: in the street's frame
-    /// its hemisphere is a cap of the sky, over which both are polynomials.
+    /// The number of photons and the power that a matt face receives, in closed form.
     #[test]
     fn photons_and_power_are_those_of_the_closed_forms() {
-        for beta in [0.1, 0.5, 0.9, 0.99] {
+        const STEPS: i32 = 40_000;
+        for beta in BETAS {
             for ahead in AHEAD {
                 let gamma = 1.0 / (1.0_f64 - beta * beta).sqrt();
                 let time = gamma * beta * ahead;
                 let length = (1.0 + time * time).sqrt();
                 let a = time / length;
-                let closed =
-                    [length * (1.0 + a).powi(2), gamma * length * (1.0 + a).powi(3) * (3.0 - a) / 3.0];
-                for (power, closed) in [3, 4].into_iter().zip(closed) {
-                    let parts = facing(beta, ahead).parts();
-                    let sum: f64 =
-                        parts.iter().map(|part| part.share * part.log2_doppler.exp2().powi(power)).sum();
-                    assert!(
-                        (sum / closed - 1.0).abs() < 0.05,
-                        "beta {beta}, {ahead}, D^{power}: {sum} {closed}"
-                    );
+                let facing = facing(beta, ahead);
+                let (mut sums, reach) = ([0.0; 3], facing.head_on_octaves());
+                for step in 0..STEPS {
+                    let octaves = reach * (f64::from(2 * step + 1) / f64::from(STEPS) - 1.0);
+                    let share = facing.share(octaves);
+                    sums = from_fn(|i| sums[i] + share * exp2([0.0, 3.0, 4.0][i] * octaves));
                 }
+                let photons = length * (1.0 + a).powi(2);
+                let power = gamma * length * (1.0 + a).powi(3) * (3.0 - a) / 3.0;
+                let found = [sums[1] / sums[0], sums[2] / sums[0]];
+                for (found, closed) in found.into_iter().zip([photons, power]) {
+                    assert!((found / closed - 1.0).abs() < 1e-3, "{beta}, {ahead}: {found} {closed}");
+                }
+                let mean = (power / photons).log2();
+                assert!((facing.mean_octaves() - mean).abs() < 1e-9, "{beta}, {ahead}: {mean}");
             }
         }
     }
 
-    /// ln D is counted evenly between the ends.
     #[test]
-    fn a_face_that_looks_ahead_is_lit_head_on_with_the_greatest_doppler_factor() {
+    fn a_motion_is_found_from_its_octaves_and_turn() {
         for beta in BETAS {
-            let [hottest, .., coldest] = facing(beta, 1.0).parts();
-            let per_place = (coldest.log2_doppler - hottest.log2_doppler) / (PARTS[5][0] - PARTS[0][0]);
-            let head_on = hottest.log2_doppler - per_place * PARTS[0][0];
-            let expected = 0.5 * ((1.0 + beta) / (1.0 - beta)).log2();
-            assert!((head_on - expected).abs() < 1e-9, "{beta}: {head_on} for {expected}");
-        }
-    }
-
-    #[test]
-    fn what_rests_receives_daylight_as_it_is() {
-        for ahead in AHEAD {
-            let parts = facing(0.0, ahead).parts();
-            assert!(parts.iter().all(|part| part.log2_doppler == 0.0), "{parts:?}");
-            assert!((parts.iter().map(|part| part.share).sum::<f64>() - 1.0).abs() < 1e-12);
-        }
-    }
-
-    #[test]
-    fn no_speed_gives_a_part_that_is_no_number() {
-        for exponent in -30..=40 {
             for ahead in AHEAD {
-                let rapid = 10.0_f64.powi(exponent).min(MOST_RAPID);
-                let parts = Facing { rapid, ahead }.parts();
-                let are_numbers = parts.iter().all(|part| part.share >= 0.0 && part.log2_doppler.is_finite());
-                assert!(are_numbers, "1e{exponent}, {ahead}: {parts:?}");
+                let known = facing(beta, ahead);
+                let found = Facing::of(known.head_on_octaves(), known.turn());
+                assert!((found.rapid / known.rapid - 1.0).abs() < 1e-9, "{known:?} {found:?}");
+                assert!((found.ahead - known.ahead).abs() < 1e-7, "{known:?} {found:?}");
+            }
+            let head_on = 0.5 * ((1.0 + beta) / (1.0 - beta)).log2();
+            assert!((facing(beta, 0.0).head_on_octaves() - head_on).abs() < 1e-9);
+        }
+        assert_eq!([-1.0, 1.0].map(|ahead| facing(0.6, ahead).turn()), [0.0, 1.0]);
+    }
+
+    #[test]
+    fn no_speed_gives_a_place_that_is_no_number() {
+        for exponent in -320..=40 {
+            for ahead in AHEAD {
+                let facing = Facing { rapid: 10.0_f64.powi(exponent).min(MOST_RAPID), ahead };
+                let [head_on, mean] = [facing.head_on_octaves(), facing.mean_octaves()];
+                assert!(head_on.is_finite() && mean.is_finite(), "1e{exponent}, {ahead}: {mean}");
+                assert!((0.0..=1.0).contains(&facing.turn()), "1e{exponent}, {ahead}: {}", facing.turn());
             }
         }
     }

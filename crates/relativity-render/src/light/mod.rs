@@ -8,5 +8,6 @@ pub(crate) mod palette;
 pub mod received;
 pub(crate) mod screen_light;
 pub(crate) mod shade;
+pub(crate) mod sky;
 pub(crate) mod street_light;
 pub mod tone;

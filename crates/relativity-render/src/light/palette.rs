@@ -2,8 +2,7 @@
 
 use relativity_core::math::exp2;
 
-use super::daylight::{LEAST_BETA, MOST_RAPID};
-use super::street_light::coloured_false;
+use super::daylight::MOST_RAPID;
 use crate::colour::planck::{Broad, black_body};
 use crate::colour::sunlit::{self, FIRST_OCTAVE, PER_OCTAVE};
 use crate::colour::{false_colour, linear_srgb, unseen_daylight, unseen_glow, unseen_line};
@@ -91,11 +90,10 @@ impl TableRange {
 }
 
 /// Returns the constants of the shader.
-pub fn constants() -> [Constant; 5] {
+pub fn constants() -> [Constant; 4] {
     [
         ("LINE_PER_OCTAVE", LINE.per_octave()),
         ("GLOW_PER_OCTAVE", GLOW.per_octave()),
-        ("LEAST_BETA", LEAST_BETA),
         ("MOST_RAPID", MOST_RAPID),
         ("PAINTS", sunlit::PAINTS as f64),
     ]
@@ -125,4 +123,10 @@ pub fn tables() -> Vec<[f32; 4]> {
     let unseen_daylight = SUNLIT.table(|octaves| share(unseen_daylight(octaves)));
     let lights = line.chain(glow).chain(unseen_line).chain(unseen_glow).chain(map).chain(falsely);
     lights.chain(unseen_daylight).chain(sunlit::rows().map(|entry| entry.map(|part| part as f32))).collect()
+}
+
+/// Linear sRGB of grey in the false colour of a Doppler factor of 2^`octaves`; and 0.
+pub fn coloured_false(octaves: f64) -> [f64; 4] {
+    let [grey, shown] = [0.0, octaves].map(false_colour);
+    [shown[0] / grey[0], shown[1] / grey[1], shown[2] / grey[2], 0.0]
 }

@@ -6,8 +6,9 @@
 use relativity_core::doppler::intensity_factor;
 use relativity_core::math::{exp2, log2};
 
-use super::daylight::DaylightPart;
+use super::daylight::Facing;
 use super::palette::Row;
+use super::sky::{self, Reflected};
 use super::tone::toned;
 use crate::colour::paint::Paint;
 use crate::colour::planck::black_body;
@@ -55,9 +56,11 @@ impl Light {
             (_, Emission::Glowing(kelvin)) => Self::Glow(kelvin),
             (_, Emission::Painted(paint)) => Self::Painted(paint),
             (Colour::OneWavelength, Emission::Wavelength(nm)) => Self::Line(nm),
-            (Colour::White | Colour::StreetDaylight, Emission::Wavelength(nm)) => {
-                Self::Painted(Paint::Smooth(linear_srgb(nm)))
-            }
+            (Colour::White | Colour::StreetDaylight, Emission::Wavelength(nm)) => match linear_srgb(nm) {
+                // No paint has a colour that eyes do not see: such a body shines by its own light.
+                [0.0, 0.0, 0.0] => Self::Line(nm),
+                colour => Self::Painted(Paint::Smooth(colour)),
+            },
         }
     }
 
@@ -89,16 +92,16 @@ impl Light {
     /// Returns the colour and the unseen share at `doppler_factor`, for a surface that faces the light.
     #[must_use]
     pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> ScreenLight {
-        self.shown_in_parts(appearance, doppler_factor, &[DaylightPart::OWN], Paint::WHITE)
+        self.shown_facing(appearance, doppler_factor, None, Paint::WHITE)
     }
 
-    /// Returns colour and unseen share where daylight is received in these `parts`, the hottest first, on
-    /// this `paint` of a model.
-    pub(crate) fn shown_in_parts(
+    /// Returns colour and unseen share, on this `paint` of a model; `facing` the street's daylight, if that
+    /// lights it.
+    pub(crate) fn shown_facing(
         self,
         appearance: &Appearance,
         doppler_factor: f64,
-        parts: &[DaylightPart],
+        facing: Option<Facing>,
         paint: Paint,
     ) -> ScreenLight {
         let (light, tint) = self.on_paint(paint);
@@ -107,18 +110,18 @@ impl Light {
             return ScreenLight { colour: colour.map(|part| part * luminance(tint)), unseen: 0.0 };
         }
         let shift = if appearance.doppler_shift { log2(doppler_factor) } else { 0.0 };
-        let exposed = light.exposed(appearance, doppler_factor, parts);
+        let exposed = light.exposed(appearance, doppler_factor, facing);
         let colour = toned(std::array::from_fn(|part| exposed[part] * tint[part]));
-        let unseen = if appearance.invisible { left_dark(colour) * light.unseen(shift, parts) } else { 0.0 };
+        let unseen = if appearance.invisible { left_dark(colour) * light.unseen(shift, facing) } else { 0.0 };
         ScreenLight { colour, unseen }
     }
 
     /// Linear sRGB, 0 or more, of this light as it is exposed.
-    fn exposed(self, appearance: &Appearance, doppler_factor: f64, parts: &[DaylightPart]) -> [f64; 3] {
+    fn exposed(self, appearance: &Appearance, doppler_factor: f64, facing: Option<Facing>) -> [f64; 3] {
         let shift = if appearance.doppler_shift { log2(doppler_factor) } else { 0.0 };
         // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
         let exposed = |part: f64| (part * exp2(appearance.exposure_ev)).clamp(-MOST_LIGHT, MOST_LIGHT);
-        on_screen(self.received(shift, self.log2_intensity(appearance, doppler_factor), parts).map(exposed))
+        on_screen(self.received(shift, self.log2_intensity(appearance, doppler_factor), facing).map(exposed))
     }
 
     /// Returns log2 of the part of the received intensity that its colour does not contain: D^n of one
@@ -137,27 +140,30 @@ impl Light {
         }
     }
 
-    /// Linear sRGB before any exposure, for light shifted by `shift` octaves, where daylight is received in
-    /// these `parts`. At rest its largest component is about 1, of white paint.
-    fn received(self, shift: f64, log2_intensity: f64, parts: &[DaylightPart]) -> [f64; 3] {
+    /// Linear sRGB before any exposure, for light shifted by `shift` octaves; `facing` the street's daylight,
+    /// if that lights it. At rest its largest component is about 1, of white paint.
+    fn received(self, shift: f64, log2_intensity: f64, facing: Option<Facing>) -> [f64; 3] {
         match self {
             Self::Line(nm) => linear_srgb(exp2(log2(nm) - shift)).map(|part| part * exp2(log2_intensity)),
             Self::Glow(kelvin) => glow(kelvin, shift, log2_intensity - black_body(log2(kelvin)).log2_level),
-            Self::Painted(paint) if parts == [DaylightPart::OWN] => {
-                let level = exp2((sunlit::log2_level(shift) + log2_intensity).min(1e3));
-                sunlit::colour(paint, shift).map(|part| part * level)
+            Self::Painted(paint) => {
+                let (colour, log2_level) = match facing {
+                    None => (sunlit::colour(paint, shift), sunlit::log2_level(shift)),
+                    Some(facing) => in_sky(paint, shift, facing),
+                };
+                let level = exp2((log2_level + log2_intensity).min(1e3));
+                colour.map(|part| part * level)
             }
-            Self::Painted(paint) => in_parts(paint, shift, log2_intensity, parts),
             Self::Map => [0.0; 3],
         }
     }
 
-    /// Returns its unseen share; for daylight, that of its hottest part.
-    fn unseen(self, shift: f64, parts: &[DaylightPart]) -> f64 {
+    /// Returns its unseen share; for the street's daylight, that of its mean.
+    fn unseen(self, shift: f64, facing: Option<Facing>) -> f64 {
         match self {
             Self::Line(nm) => unseen_line(exp2(log2(nm) - shift)),
             Self::Glow(kelvin) => unseen_glow(log2(kelvin) + shift),
-            Self::Painted(_) => unseen_daylight(shift + parts.first().map_or(0.0, |part| part.log2_doppler)),
+            Self::Painted(_) => unseen_daylight(shift + facing.map_or(0.0, Facing::mean_octaves)),
             Self::Map => 0.0,
         }
     }
@@ -176,9 +182,11 @@ impl Light {
         match (effects.spectrum(), self) {
             (_, Self::Map) => [0.0; 4],
             (Spectrum::AtRest, _) => {
-                let [red, green, blue] = self.exposed(appearance, 1.0, &[DaylightPart::OWN]);
-                let unseen = if appearance.invisible { self.unseen(0.0, &[]) } else { 0.0 };
-                [red.min(MOST_PACKED), green.min(MOST_PACKED), blue.min(MOST_PACKED), unseen]
+                let exposed = self.exposed(appearance, 1.0, None);
+                let held = MOST_PACKED / exposed.into_iter().fold(MOST_PACKED, f64::max);
+                let [red, green, blue] = exposed.map(|part| part * held);
+                let unseen = if appearance.invisible { self.unseen(0.0, None) } else { 0.0 };
+                [red, green, blue, unseen]
             }
             (_, Self::Line(nm)) => in_row(Row::Line, log2(nm), 0.0),
             (_, Self::Glow(kelvin)) => in_row(Row::Glow, log2(kelvin), black_body(log2(kelvin)).log2_level),
@@ -207,17 +215,14 @@ fn glow(kelvin: f64, shift: f64, log2_factor: f64) -> [f64; 3] {
     light.hue.map(|part| part * exp2((light.log2_level + log2_factor).min(1e3)))
 }
 
-/// Linear sRGB of what `paint` reflects of daylight that it receives in these `parts`, shifted by `shift`
-/// octaves more: see [`sunlit`].
-fn in_parts(paint: Paint, shift: f64, log2_factor: f64, parts: &[DaylightPart]) -> [f64; 3] {
+/// Linear sRGB of what `paint` reflects of the street's daylight where it is `facing` that so, seen shifted by
+/// `shift` octaves, over the level of white paint; and log2 of that. See [`sunlit`].
+fn in_sky(paint: Paint, shift: f64, facing: Facing) -> ([f64; 3], f64) {
     let stand_in = sunlit::in_daylight(paint, shift);
     let (colour, smooth) = (sunlit::colour(paint, shift), sunlit::lit_by_shifted(stand_in, shift));
-    parts.iter().fold([0.0; 3], |sum, part| {
-        let octaves = shift + part.log2_doppler;
-        let seen = sunlit::lit_by_shifted(stand_in, octaves);
-        let level = part.share * exp2((sunlit::log2_level(octaves) + log2_factor).min(1e3));
-        std::array::from_fn(|i| sum[i] + level * (seen[i] + colour[i] - smooth[i]))
-    })
+    let Reflected { primaries, log2_level } = sky::reflected(facing, shift);
+    let seen = sunlit::mixed(stand_in, primaries);
+    (std::array::from_fn(|part| seen[part] + colour[part] - smooth[part]), log2_level)
 }
 
 /// Returns the share of the hatch that shows over `colour`: much only where that is all but black.
@@ -237,8 +242,8 @@ pub fn received_intensity(emission: Emission, appearance: &Appearance, doppler_f
     if matches!(light, Light::Line(_) | Light::Map) || !appearance.doppler_shift {
         return appearance.intensity_exponent.map_or(1.0, of_exponent);
     }
-    let [received, at_rest] = [log2(doppler_factor), 0.0]
-        .map(|shift| luminance(on_screen(light.received(shift, 0.0, &[DaylightPart::OWN]))));
+    let [received, at_rest] =
+        [log2(doppler_factor), 0.0].map(|shift| luminance(on_screen(light.received(shift, 0.0, None))));
     received / at_rest
 }
 
@@ -257,10 +262,24 @@ mod tests {
     fn light_at_rest_is_as_bright_as_a_screen_before_the_shoulder() {
         let lights = [Light::Line(700.0), Light::Glow(1273.15), Light::Painted(Paint::WHITE)];
         for light in lights {
-            let largest = light.received(0.0, 0.0, &[DaylightPart::OWN]).into_iter().fold(0.0, f64::max);
+            let largest = light.received(0.0, 0.0, None).into_iter().fold(0.0, f64::max);
             assert!((largest - 1.0).abs() < 1e-9, "{light:?}: {largest}");
             assert!((shoulder(largest) - 0.8).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn what_shines_outside_the_visible_shines_in_daylight_where_it_is_shifted_into_view() {
+        let appearance =
+            Appearance { colour: Colour::White, intensity_exponent: None, ..Appearance::default() };
+        let shown = |nm: f64, doppler_factor: f64| {
+            Light::new(Emission::Wavelength(nm), &appearance).shown(&appearance, doppler_factor)
+        };
+        assert_eq!(shown(1000.0, 1.0), ScreenLight { colour: [0.0; 3], unseen: 1.0 });
+        let line = Light::Line(1000.0).shown(&appearance, 1.7).colour;
+        assert!(shown(1000.0, 1.7).colour == line && line.into_iter().any(|part| part > 0.5), "{line:?}");
+        let mut pairs = shown(600.0, 1.0).colour.into_iter().zip(toned(linear_srgb(600.0)));
+        assert!(pairs.all(|(shown, paint)| (shown - paint).abs() < 1e-9));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::daylight::{DaylightPart, Facing};
+use super::daylight::Facing;
 use super::hatch::Hatch;
 use super::screen_light::{Light, ScreenLight};
 use crate::colour::paint::Paint;
@@ -60,10 +60,7 @@ pub fn surface_colour(
         Shading::Form => form(rest_normal),
     };
     let light = Light::new(body.emission, appearance);
-    let ScreenLight { colour, unseen } = match facing {
-        Some(facing) => light.shown_in_parts(appearance, doppler_factor, &facing.parts(), paint),
-        None => light.shown_in_parts(appearance, doppler_factor, &[DaylightPart::OWN], paint),
-    };
+    let ScreenLight { colour, unseen } = light.shown_facing(appearance, doppler_factor, facing, paint);
     let hatched = hatch.colour(unseen, place);
     std::array::from_fn(|i| (colour[i] + hatched[i]) * shading * body.brightness)
 }

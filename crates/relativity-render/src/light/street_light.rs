@@ -8,9 +8,8 @@
 
 use relativity_core::math::{exp2, log2};
 
-use super::palette::{FIRST_SUNLIT, Row};
+use super::palette::{FIRST_SUNLIT, Row, coloured_false};
 use super::tone::{toned, untoned};
-use crate::colour::false_colour;
 use crate::colour::paint::Paint;
 use crate::colour::sunlit::{self, on_screen};
 use crate::view::{Appearance, Colour, StreetColours};
@@ -104,12 +103,6 @@ impl StreetLight {
 
 /// The most that a factor of brightness is, and one over the least, octaves.
 const MOST_LOG2: f64 = 100.0;
-
-/// Linear sRGB of grey in the false colour of a Doppler factor of 2^`octaves`; and 0.
-pub(crate) fn coloured_false(octaves: f64) -> [f64; 4] {
-    let [grey, shown] = [0.0, octaves].map(false_colour);
-    [shown[0] / grey[0], shown[1] / grey[1], shown[2] / grey[2], 0.0]
-}
 
 #[cfg(test)]
 mod tests {

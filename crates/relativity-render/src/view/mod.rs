@@ -138,8 +138,8 @@ pub enum Colour {
     OneWavelength,
     /// Each body glows: a black body of one temperature H, seen as one of the temperature D·H (Planck's law).
     Glowing,
-    /// Each body reflects daylight of 6504 K, as if the lamp rode along with it: a quarter at every
-    /// wavelength, the rest about the body's own.
+    /// Each body reflects daylight as it is measured at the ground, as if the lamp rode along with it: by its
+    /// paint, or as smooth paint of the colour of its wavelength, if eyes see that.
     White,
     /// Each body reflects the street's daylight, which comes equally from all sides there: what moves
     /// receives it blue and bright ahead, red and dim behind, and its light is shifted again on its way to
@@ -158,8 +158,8 @@ pub enum Colour {
 pub enum StreetColours {
     /// As painted, at any speed: something for motion to be seen against.
     Painted,
-    /// Doppler shifted, bluer ahead and redder behind: paints count as grey, and the strongest primary stays
-    /// as painted, so that contrasts do.
+    /// Doppler shifted, bluer ahead and redder behind; white stays as bright as at rest, so that contrasts
+    /// do.
     #[default]
     Shifted,
     /// Doppler shifted and as bright as received: dazzling ahead, dark behind.

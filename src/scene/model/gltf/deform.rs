@@ -11,21 +11,41 @@ use gltf::{Node, Primitive, Skin};
 use super::super::accessor::{JOINTS, MATRICES, PLACES, WEIGHTS, read};
 use super::nodes::Tree;
 
+/// Most moves of a model's corners, by targets and joints.
+const MOST_MOVES: usize = 200_000_000;
+
+/// The number of moves of corners so far.
+#[derive(Default)]
+pub struct Moves(usize);
+
+impl Moves {
+    /// Counts more of them, and refuses more than a model may have.
+    fn add(&mut self, more: usize) -> Result<(), String> {
+        self.0 = self.0.saturating_add(more);
+        if self.0 <= MOST_MOVES {
+            return Ok(());
+        }
+        Err(format!("its corners are moved more than {MOST_MOVES} times, by morph targets and joints"))
+    }
+}
+
 /// Adds to `places` the targets of `primitive`, weighted by default as `node` or its mesh says.
 pub fn morph(
     places: &mut [DVec3],
     primitive: &Primitive<'_>,
     node: &Node<'_>,
     buffers: &[Vec<u8>],
+    moves: &mut Moves,
 ) -> Result<(), String> {
     let weights = node.weights().or_else(|| node.mesh()?.weights()).unwrap_or_default();
     for (target, &weight) in primitive.morph_targets().zip(weights) {
-        let Some(moves) = target.positions().filter(|_| weight != 0.0) else { continue };
-        let moves = read::<3>(&moves, &PLACES, buffers, false)?;
-        if moves.len() != places.len() {
+        let Some(target) = target.positions().filter(|_| weight != 0.0) else { continue };
+        if target.count() != places.len() {
             return Err("a mesh has not as many corners as its morph target".to_owned());
         }
-        for (place, along) in places.iter_mut().zip(moves) {
+        moves.add(places.len())?;
+        let target = read::<3>(&target, &PLACES, buffers, false)?;
+        for (place, along) in places.iter_mut().zip(target) {
             *place += f64::from(weight) * DVec3::from(along.map(f64::from));
         }
     }
@@ -54,6 +74,7 @@ pub fn skin(
     primitive: &Primitive<'_>,
     joints: &[DMat4],
     buffers: &[Vec<u8>],
+    moves: &mut Moves,
 ) -> Result<(), String> {
     let mut sums = vec![(DVec3::ZERO, 0.0); places.len()];
     for set in 0.. {
@@ -62,11 +83,12 @@ pub fn skin(
         else {
             break;
         };
-        let numbers = read::<4>(&numbers, &JOINTS, buffers, false)?;
-        let weights = read::<4>(&weights, &WEIGHTS, buffers, true)?;
-        if numbers.len() != places.len() || weights.len() != places.len() {
+        if numbers.count() != places.len() || weights.count() != places.len() {
             return Err("a mesh has not as many joints and weights as corners".to_owned());
         }
+        moves.add(places.len())?;
+        let numbers = read::<4>(&numbers, &JOINTS, buffers, false)?;
+        let weights = read::<4>(&weights, &WEIGHTS, buffers, true)?;
         for (at, sum) in sums.iter_mut().enumerate() {
             for (number, weight) in
                 numbers[at].into_iter().zip(weights[at]).filter(|(_, weight)| *weight != 0.0)

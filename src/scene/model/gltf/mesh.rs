@@ -1,12 +1,11 @@
 //! The triangles of glTF meshes.
 
 use glam::{DMat4, DVec3};
-use gltf::mesh::util::ReadIndices;
 use gltf::mesh::{Mode, Semantic};
 use gltf::{Node, Primitive};
 
 use super::super::super::light::measured;
-use super::super::accessor::{INDICES, PLACES, check, read};
+use super::super::accessor::{PLACES, check, read, read_indices};
 use super::super::limits::check_count;
 use super::{ModelReader, deform};
 
@@ -38,11 +37,11 @@ impl ModelReader<'_> {
         let corner = |corner: [f32; 3]| DVec3::from(corner.map(f64::from));
         let mut corners: Vec<DVec3> =
             read::<3>(&places, &PLACES, &self.buffers, false)?.into_iter().map(corner).collect();
-        deform::morph(&mut corners, primitive, node, &self.buffers)?;
+        deform::morph(&mut corners, primitive, node, &self.buffers, &mut self.moves)?;
         let joints = self.joints(node)?.filter(|_| primitive.get(&Semantic::Joints(0)).is_some());
         let placed = match &joints {
             Some(joints) => {
-                deform::skin(&mut corners, primitive, joints, &self.buffers)?;
+                deform::skin(&mut corners, primitive, joints, &self.buffers, &mut self.moves)?;
                 DMat4::IDENTITY
             }
             None => placed,
@@ -68,9 +67,7 @@ impl ModelReader<'_> {
     /// The numbers of corners of `primitive`, which has `count` of them, as its triangles name them.
     fn indices(&self, primitive: &Primitive<'_>, count: usize) -> Result<Vec<u32>, String> {
         let Some(indices) = primitive.indices() else { return Ok((0..count as u32).collect()) };
-        check(&indices, &INDICES, &self.buffers)?;
-        let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
-        let indices: Vec<u32> = reader.read_indices().into_iter().flat_map(ReadIndices::into_u32).collect();
+        let indices = read_indices(&indices, &self.buffers)?;
         match indices.iter().find(|&&index| index as usize >= count) {
             Some(index) => Err(format!("a triangle names corner {index}, and its mesh has {count}")),
             None => Ok(indices),

@@ -4,8 +4,8 @@
 //! `KHR_mesh_quantization`, `KHR_node_visibility`, `EXT_mesh_gpu_instancing` and
 //! `KHR_materials_pbrSpecularGlossiness`. The triangles of the nodes of its scene are read, morphed and
 //! skinned as they are by default, with base colour factors and colours of corners, both linear, and base
-//! colour textures. Other textures and animations are passed over, as are lines and points; compressed and
-//! sparse data are refused.
+//! colour textures. Other textures and animations are passed over, as are lines and points; compressed data
+//! are refused.
 //!
 //! The crate `gltf` reads text and numbers. It trusts indices, types and lengths, which are checked before
 //! they reach it; no file is read but by `companions`.
@@ -28,12 +28,13 @@ use glam::DMat4;
 use gltf::Document;
 use relativity_render::RawModel;
 
-use self::deform::Joints;
+use self::deform::{Joints, Moves};
 use self::document::Text;
 use self::extensions::Extended;
 use self::nodes::{PlacedNode, Tree};
 use super::companions::Companions;
 use super::parts::{NamedModel, NamedPart};
+use super::report::counted;
 use super::textures::Textures;
 
 /// Reads a model.
@@ -61,6 +62,7 @@ fn read(text: Text, companions: &Companions<'_>) -> Result<NamedModel, String> {
         companions,
         textures: Textures::new(),
         joints: HashMap::new(),
+        moves: Moves::default(),
         model: RawModel::default(),
     };
     // Parts that have not ended, and how deep their nodes lie.
@@ -82,7 +84,7 @@ fn read(text: Text, companions: &Companions<'_>) -> Result<NamedModel, String> {
     }
     let ModelReader { textures, mut model, .. } = reader;
     textures.put_into(&mut model);
-    Ok(NamedModel { model, parts })
+    Ok(NamedModel { model, parts, materials: document.materials().len() })
 }
 
 /// Returns what a file has beside its triangles, if there is anything.
@@ -98,11 +100,6 @@ fn passed_over(document: &Document) -> Option<String> {
     (!all.is_empty()).then(|| format!("left out: {}", all.join(", ")))
 }
 
-/// Returns a number with what is counted.
-fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
-}
-
 /// A model that is being read.
 struct ModelReader<'a> {
     document: &'a Document,
@@ -114,6 +111,7 @@ struct ModelReader<'a> {
     textures: Textures<usize>,
     /// The joints of skins, by the numbers of these.
     joints: HashMap<usize, Joints>,
+    moves: Moves,
     model: RawModel,
 }
 

@@ -53,11 +53,10 @@ fn encodings_marks_line_ends_and_continued_lines_do_not_matter() {
         let letters = text.encode_utf16().flat_map(u16::to_le_bytes);
         b"\xff\xfe".iter().copied().chain(letters).collect()
     };
-    let forms: [&dyn Fn(&str) -> Vec<u8>; 5] =
-        [&|text| text.as_bytes().to_vec(), &latin, &marked, &returns, &wide];
-    for form in forms {
-        let found = painted(&[("a.obj", &form(&obj)), ("paint.mtl", &form(library))]);
-        assert_eq!(found, ([25, 50, 75], Vec::new()));
+    let plain = |text: &str| text.as_bytes().to_vec();
+    let forms = |text: &str| [plain(text), latin(text), marked(text), returns(text), wide(text)];
+    for (file, library) in std::iter::zip(forms(&obj), forms(library)) {
+        assert_eq!(painted(&[("a.obj", &file), ("paint.mtl", &library)]), ([25, 50, 75], Vec::new()));
     }
 }
 

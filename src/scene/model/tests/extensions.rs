@@ -24,7 +24,7 @@ fn remarks(scene: &Scene) -> Vec<&str> {
 }
 
 /// Adds data to a document, and returns the number of its accessor.
-fn add(document: &mut Value, kind: u32, shape: &str, count: usize, data: &[u8]) -> usize {
+pub fn add(document: &mut Value, kind: u32, shape: &str, count: usize, data: &[u8]) -> usize {
     let push = |document: &mut Value, list: &str, item: Value| {
         let items = document[list].as_array_mut().expect("a list");
         items.push(item);
@@ -37,7 +37,8 @@ fn add(document: &mut Value, kind: u32, shape: &str, count: usize, data: &[u8]) 
     push(document, "accessors", accessor)
 }
 
-fn bytes(floats: &[f32]) -> Vec<u8> {
+/// The bytes of these numbers.
+pub fn bytes(floats: &[f32]) -> Vec<u8> {
     floats.iter().flat_map(|float| float.to_le_bytes()).collect()
 }
 
@@ -193,7 +194,7 @@ fn extensions_that_may_change_geometry_are_named_and_compressed_files_have_a_way
 #[test]
 fn names_in_another_encoding_and_a_mark_do_not_matter() {
     let plain = changed(|_| {}).expect("it is right");
-    let text = gltf().to_string().replacen("{", "{\"extras\":\"Gr\u{fc}n\",", 1);
+    let text = gltf().to_string().replacen('{', "{\"extras\":\"Gr\u{fc}n\",", 1);
     let latin: Vec<u8> = text.chars().map(|letter| u32::from(letter) as u8).collect();
     for file in [latin, [b"\xef\xbb\xbf", text.as_bytes()].concat()] {
         let scene = read("path = \"a.gltf\"\nup = \"z\"", &[("a.gltf", &file)]).expect("it is right");

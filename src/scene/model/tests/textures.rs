@@ -14,12 +14,13 @@ use crate::scene::model::parsed;
 /// Sixteen columns and eight rows as JPEG: red on the left, blue on the right.
 const JPEG: &str = "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAMCAgMCAgMDAwMEAwMEBQgFBQQEBQoHBwYIDAoMDAsKCwsNDhIQDQ4RDgsLEBYQERMUFRUVDA8XGBYUGBIUFRT/2wBDAQMEBAUEBQkFBQkUDQsNFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBT/wAARCAAIABADAREAAhEBAxEB/8QAFQABAQAAAAAAAAAAAAAAAAAABgf/xAAUEAEAAAAAAAAAAAAAAAAAAAAA/8QAFgEBAQEAAAAAAAAAAAAAAAAACQcI/8QAFBEBAAAAAAAAAAAAAAAAAAAAAP/aAAwDAQACEQMRAD8AiibtqipJR2v/2Q==";
 /// A square as OBJ: its places in the texture are its own.
-const SQUARE: &str = "mtllib a.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
+pub const SQUARE: &str = "mtllib a.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
                       f 1/1 2/2 3/3 4/4\n";
 /// The four texels of a picture, from the top left.
 const TEXELS: [[u8; 4]; 4] = [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255], [255; 4]];
 
-fn picture() -> Vec<u8> {
+/// A picture of these texels as PNG.
+pub fn picture() -> Vec<u8> {
     let mut bytes = Vec::new();
     png::write(&Picture { size: [2, 2], rgba: TEXELS.to_vec() }, &[], &mut bytes).expect("it is written");
     bytes
@@ -139,7 +140,7 @@ fn a_picture_that_cannot_be_read_is_left_out_with_a_remark() {
         ),
         (
             obj(mtl, &large),
-            "a picture is left out: cannot read maps/a.png: as PNG, it has 65536x65536 pixels; the textures of a model have at most 67108864 together",
+            "a picture is left out: cannot read maps/a.png: as PNG, it has 65536x65536 pixels; the textures of a scene have at most 67108864 together",
         ),
         (obj("newmtl wood\nmap_Kd\n", b""), "map_Kd in a.mtl is left out, as it has not a file"),
         (obj("newmtl wood\nKd 1 1\n", b""), "Kd in a.mtl is left out, as it has not three numbers"),

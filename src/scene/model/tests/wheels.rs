@@ -53,7 +53,8 @@ fn a_named_part_of_an_obj_rolls_about_the_middle_of_the_circle_around_it() {
         assert!((spin.radius - radius).abs() < 1e-6 && spin.turning == Turning::Rolling, "{spin:?}");
     }
     // No corner is farther off than the radius, or it would be faster than the rim.
-    for body in &scene.bodies[1..] {
+    let unmoved = with(&format!("{WHEELS}\nscale = 2")).expect("it is right");
+    for body in &unmoved.bodies[1..] {
         let (spin, triangles) = (body.spin.expect("it rolls"), body.triangles.as_ref().expect("a model"));
         let off = |corner: glam::DVec3| {
             let place = triangles.middle() + corner;

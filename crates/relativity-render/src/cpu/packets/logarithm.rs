@@ -31,7 +31,7 @@ pub fn log2<S: Simd>(x: F<S>) -> F<S> {
 }
 
 /// The largest power of two that [`power_of_two`] gives; the least is its inverse.
-pub const MOST_POWER: f32 = 100.0;
+const MOST_POWER: f32 = 100.0;
 
 /// 2^`x`, `x` held between -100 and 100: within 2e-7 of its own size.
 #[inline(always)]

@@ -73,11 +73,8 @@ pub enum TrianglesError {
         texels: u64,
     },
     /// A texture that has not the texels of its size, or none.
-    #[error("texture {number} of the model has not as many texels as its size needs")]
-    Texture {
-        /// Number of the texture, from 0.
-        number: usize,
-    },
+    #[error("the texture has not as many texels as its size needs")]
+    Texture,
     /// Textures for some triangles only, places for some corners only, or a texture that there is not.
     #[error(
         "each triangle of the model must name one of its textures or none, and each corner a place in it"

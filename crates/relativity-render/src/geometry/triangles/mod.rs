@@ -52,7 +52,7 @@ pub struct Triangles {
     reversed: Vec<bool>,
     paints: Vec<[f32; 3]>,
     materials: Vec<Option<Material>>,
-    textures: Vec<MipMap>,
+    textures: Vec<Arc<MipMap>>,
     texture_numbers: Vec<u32>,
     texture_places: Vec<[f32; 2]>,
     is_two_sided: bool,
@@ -75,8 +75,8 @@ impl Triangles {
     /// No triangle with an area; more than [`MOST_TRIANGLES`]; a corner that is not finite or beyond
     /// [`MOST_COORDINATE`]; a model smaller than [`LEAST_SIZE`]; a triangle with a corner that there is not;
     /// paint that is not between 0 and 1, or not for every corner; materials for other than every triangle;
-    /// textures without texels or with more than
-    /// [`MOST_TEXELS`], for other than every triangle, or whose places are beyond [`MOST_WRAPS`].
+    /// textures with more than [`MOST_TEXELS`], for other than every triangle, or whose places are beyond
+    /// [`MOST_WRAPS`].
     pub fn new(model: RawModel) -> Result<Self, TrianglesError> {
         model.check()?;
         let RawModel { corners, triangles, reversed, paints, materials, textures, .. } = model;
@@ -101,7 +101,7 @@ impl Triangles {
             reversed,
             paints,
             materials,
-            textures: textures.into_iter().map(MipMap::new).collect(),
+            textures,
             texture_numbers,
             texture_places,
             is_two_sided,

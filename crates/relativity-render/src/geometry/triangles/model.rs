@@ -1,8 +1,10 @@
 //! Models as they are given: corners, triangles, paint and textures.
 
+use std::sync::Arc;
+
 use super::error::TrianglesError;
 use super::limits::{MOST_COORDINATE, MOST_TEXELS, MOST_TRIANGLES, MOST_WRAPS};
-use super::texture::Texture;
+use super::texture::MipMap;
 use crate::colour::paint::Material;
 
 /// Corners and triangles of a model, not yet prepared.
@@ -21,8 +23,8 @@ pub struct RawModel {
     /// The measured material of each triangle, which takes the place of its paint and texture; `None` of
     /// those that have smooth paint. None at all: all have.
     pub materials: Vec<Option<Material>>,
-    /// Pictures whose colours multiply the paint of triangles.
-    pub textures: Vec<Texture>,
+    /// Pictures whose colours multiply the paint of triangles, which models may share.
+    pub textures: Vec<Arc<MipMap>>,
     /// Number of the texture of each triangle, [`Self::NO_TEXTURE`] of those that have none. None at all: no
     /// triangle has one.
     pub texture_numbers: Vec<u32>,
@@ -74,15 +76,9 @@ impl RawModel {
     }
 
     fn check_textures(&self) -> Result<(), TrianglesError> {
-        let texels = |texture: &Texture| texture.size.map(u64::from).iter().product::<u64>();
-        let sum = self.textures.iter().map(texels).fold(0, u64::saturating_add);
-        if sum > MOST_TEXELS {
-            return Err(TrianglesError::ManyTexels { texels: sum });
-        }
-        let is_whole =
-            |texture: &Texture| texels(texture) > 0 && texels(texture) == texture.texels.len() as u64;
-        if let Some(number) = self.textures.iter().position(|texture| !is_whole(texture)) {
-            return Err(TrianglesError::Texture { number });
+        let texels = self.textures.iter().map(|texture| texture.count()).fold(0, u64::saturating_add);
+        if texels > MOST_TEXELS {
+            return Err(TrianglesError::ManyTexels { texels });
         }
         let has = |number: &u32| *number == Self::NO_TEXTURE || (*number as usize) < self.textures.len();
         let places = if self.texture_numbers.is_empty() { 0 } else { self.corners.len() };

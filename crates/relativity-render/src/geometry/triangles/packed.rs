@@ -15,11 +15,12 @@
 //!
 //! Behind the records of a model with textures come two texels for each triangle, whose number its record has
 //! (0 is none): the places of its corners in its texture, and the number of the texture's header. That is one
-//! texel: width, height, wrapping, and the number of the first of its words. The words are the texels of all
-//! textures and their smaller copies.
+//! texel: width, height, wrapping, and the number of the first of its words, which are the texels of the
+//! texture and its smaller copies. They may lie behind those of other models, which share them.
 
 use glam::Vec3;
 
+use super::texture::MipMap;
 use super::{RawModel, TrianglePoint, Triangles};
 use crate::geometry::hierarchy::{Child, Content};
 
@@ -48,6 +49,9 @@ pub(crate) struct PackedModel {
     pub texels: Vec<Texel>,
     /// Greatest number of links that wait.
     pub waiting: usize,
+    /// Number of the first header of its textures, in which the number of the first word is not yet filled
+    /// in.
+    pub headers: usize,
 }
 
 /// The records of a model while it is packed.
@@ -73,13 +77,19 @@ impl Triangles {
         let triangles = leaves.iter().flat_map(|&triangle| self.record(triangle));
         let mut texels: Vec<_> = nodes.into_iter().flatten().chain(triangles).collect();
         if !self.textures.is_empty() {
-            self.add_textures(&leaves, TEXELS * first as usize, &mut texels);
+            self.add_places(&leaves, TEXELS * first as usize, &mut texels);
         }
-        PackedModel { texels, waiting: depth }
+        let headers = texels.len();
+        texels.extend(self.textures.iter().map(|texture| {
+            let ([width, height], [across, down]) = (texture.levels[0].size, texture.wrap);
+            [width, height, across as u32 | (down as u32) << 8, 0]
+        }));
+        PackedModel { texels, waiting: depth, headers }
     }
 
-    /// Adds the textures of the triangles in `leaves`, whose records begin with the texel of this number.
-    fn add_textures(&self, leaves: &[u32], records: usize, texels: &mut Vec<Texel>) {
+    /// Adds the places in textures of the triangles in `leaves`, whose records begin with the texel of this
+    /// number; the headers come behind.
+    fn add_places(&self, leaves: &[u32], records: usize, texels: &mut Vec<Texel>) {
         let headers = texels.len() + 2 * leaves.len();
         for (record, &triangle) in leaves.iter().enumerate() {
             let number = self.texture_numbers.get(triangle as usize).copied().unwrap_or(RawModel::NO_TEXTURE);
@@ -92,16 +102,6 @@ impl Triangles {
             let [[au, av], [bu, bv], [cu, cv]] = places.map(|place| place.map(f32::to_bits));
             texels.extend([[au, av, bu, bv], [cu, cv, (headers as u32) + number, 0]]);
         }
-        let mut words = 4 * (headers + self.textures.len());
-        for texture in &self.textures {
-            let ([width, height], [across, down]) = (texture.levels[0].size, texture.wrap);
-            texels.push([width, height, across as u32 | (down as u32) << 8, words as u32]);
-            words += texture.texels.len();
-        }
-        let words = self.textures.iter().flat_map(|texture| &texture.texels).copied().map(u32::from_le_bytes);
-        let words: Vec<_> = words.collect();
-        texels
-            .extend(words.chunks(4).map(|chunk| std::array::from_fn(|i| chunk.get(i).copied().unwrap_or(0))));
     }
 
     /// Returns the record of the first triangle when they are packed, and the numbers of all in the order of
@@ -136,6 +136,12 @@ impl Triangles {
             ],
         ]
     }
+}
+
+/// Returns the texels of a texture and its copies, four in each.
+pub(crate) fn packed_texture(texture: &MipMap) -> impl Iterator<Item = Texel> {
+    let word = |texel: Option<&[u8; 4]>| texel.map_or(0, |texel| u32::from_le_bytes(*texel));
+    texture.texels.chunks(4).map(move |chunk| std::array::from_fn(|i| word(chunk.get(i))))
 }
 
 impl<'a> Records<'a> {
@@ -243,7 +249,7 @@ mod tests {
     #[test]
     fn each_triangle_is_in_one_leaf_and_in_all_boxes_around_it() {
         for count in [1, 2, 4, 5, 8, 9, 40, 3000] {
-            let PackedModel { texels, waiting } = strewn(count).packed();
+            let PackedModel { texels, waiting, .. } = strewn(count).packed();
             let mut found = Vec::new();
             walk(&texels, 0, Vec3::NEG_INFINITY, Vec3::INFINITY, &mut found);
             found.sort_unstable();

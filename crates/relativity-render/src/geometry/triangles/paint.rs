@@ -2,6 +2,7 @@
 //! there.
 
 use std::array::from_fn;
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -39,7 +40,7 @@ impl Triangles {
 
     /// The textures with their smaller copies, as [`Self::texture_numbers`] names them.
     #[must_use]
-    pub fn textures(&self) -> &[MipMap] {
+    pub fn textures(&self) -> &[Arc<MipMap>] {
         &self.textures
     }
 
@@ -59,7 +60,7 @@ impl Triangles {
     fn texture_of(&self, triangle: u32) -> Option<&MipMap> {
         let number = self.texture_numbers.get(triangle as usize).copied()?;
         let number = if self.material(triangle).is_some() { RawModel::NO_TEXTURE } else { number };
-        (number != RawModel::NO_TEXTURE).then(|| &self.textures[number as usize])
+        (number != RawModel::NO_TEXTURE).then(|| &*self.textures[number as usize])
     }
 
     /// Returns the paint of the corners, mixed at `point`.

@@ -13,10 +13,11 @@
 
 use std::array::from_fn;
 use std::ops::Range;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use relativity_core::math::log2;
 
+use super::error::TrianglesError;
 use crate::colour::{srgb_decoded, srgb_level};
 
 /// The linear value of each level of sRGB.
@@ -32,6 +33,21 @@ pub struct Texture {
     pub texels: Vec<[u8; 4]>,
     /// The continuation to the left and right, and above and below.
     pub wrap: [Wrap; 2],
+}
+
+impl Texture {
+    /// Makes the smaller copies of the texture, to be shared by models.
+    ///
+    /// # Errors
+    ///
+    /// No texel, or not as many as the size needs.
+    pub fn prepared(self) -> Result<Arc<MipMap>, TrianglesError> {
+        let count = self.size.map(u64::from).iter().product::<u64>();
+        if count == 0 || count != self.texels.len() as u64 {
+            return Err(TrianglesError::Texture);
+        }
+        Ok(Arc::new(MipMap::new(self)))
+    }
 }
 
 /// The continuation of a texture beyond its edges.
@@ -84,9 +100,17 @@ impl Wrap {
 }
 
 impl MipMap {
+    /// The number of texels of the texture, without its copies.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.levels.first().map_or(0, |level| level.size.map(u64::from).iter().product())
+    }
+
     /// Makes the copies of `texture`, whose size is not 0 and counts its texels.
-    pub(super) fn new(texture: Texture) -> Self {
-        let Texture { size, texels, wrap } = texture;
+    fn new(texture: Texture) -> Self {
+        let Texture { size, mut texels, wrap } = texture;
+        // The copies together: a third, and a little more of one that is narrow.
+        texels.reserve_exact(texels.len() / 3 + 2 * (size[0].max(size[1]) as usize));
         let mut map = Self { texels, levels: vec![Level { size, first: 0 }], wrap };
         while let Some(&last) = map.levels.last().filter(|level| level.size != [1, 1]) {
             let next = Level { size: last.size.map(|side| (side / 2).max(1)), first: map.texels.len() };

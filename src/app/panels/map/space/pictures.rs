@@ -1,9 +1,11 @@
 //! The pictures of all bodies, each in its colour.
 
 use eframe::egui::{Color32, Painter, Shape, Stroke, Ui, pos2};
+use glam::DVec2;
 
 use super::sheet::{SpaceSheet, colour};
 use crate::map::{BodyPicture, OutlineLine, OutlineLines};
+use crate::scene::convex_hull;
 
 /// Thinnest line, points. What is thinner is drawn so, and fainter.
 const THINNEST: f32 = 1.0;
@@ -72,24 +74,11 @@ fn extent(places: &[[f64; 2]]) -> f64 {
     along(0).max(along(1)).max(0.0)
 }
 
-/// Returns the convex outline of `places`, closed (Andrew's monotone chain).
-fn hull(mut places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    places.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let half = |places: &mut dyn Iterator<Item = [f64; 2]>| {
-        let mut chain: Vec<[f64; 2]> = Vec::new();
-        for place in places {
-            while let [.., a, b] = chain[..]
-                && (b[0] - a[0]) * (place[1] - a[1]) <= (b[1] - a[1]) * (place[0] - a[0])
-            {
-                chain.pop();
-            }
-            chain.push(place);
-        }
-        chain
-    };
-    let lower = half(&mut places.iter().copied());
-    let upper = half(&mut places.iter().rev().copied());
-    lower.into_iter().chain(upper.into_iter().skip(1)).collect()
+/// Returns the convex outline of `places`, closed.
+fn hull(places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let corners = convex_hull(places.into_iter().map(DVec2::from).collect());
+    let first = corners.first().copied();
+    corners.into_iter().chain(first).map(Into::into).collect()
 }
 
 /// Parts of a line that are everywhere as wide, and how wide, points.

@@ -3,8 +3,7 @@
 use std::array::from_fn;
 
 use super::daylight::{Facings, of_street_daylight};
-use super::tables::{ScreenLights, Tables, on_screen, shown};
-use crate::colour::sunlit::WHITE;
+use super::tables::{LightKind, ScreenLights, Tables, on_screen, shown};
 use crate::cpu::packets::logarithm::{log2, power_of_two};
 use crate::cpu::packets::places::pixel_of_lane;
 use crate::light::hatch::Hatch;
@@ -12,38 +11,6 @@ use crate::light::palette::{FIRST_SUNLIT, Row};
 use crate::light::shade::FORM;
 use crate::simd::lanes::{F, LANES, Simd, SimdFrom as _, V3, all};
 use crate::view::effects::{Effects, Spectrum};
-
-/// Light as the formulas take it.
-#[derive(Clone, Copy)]
-pub enum LightKind<S: Simd> {
-    /// Light of a row of the tables.
-    InRow(usize),
-    /// Daylight that smooth paint reflects, with these shares of red, green and blue.
-    Smooth(V3<S>),
-}
-
-impl<S: Simd> LightKind<S> {
-    /// Returns the kind of this [`Light::packed`](crate::light::screen_light::Light::packed), on the paint of
-    /// a model if there is any.
-    #[inline(always)]
-    fn new(simd: S, light: [f32; 4], paint: Option<V3<S>>) -> Self {
-        let [first, second, ..] = light;
-        if first >= 0.0 {
-            return Self::Smooth(V3::all(simd, [first, second, 1.0 - first - second]));
-        }
-        let row = -first as usize - 1;
-        match paint {
-            Some(paint) if row == FIRST_SUNLIT + WHITE => Self::Smooth(paint),
-            _ => Self::InRow(row),
-        }
-    }
-
-    /// Whether it is daylight.
-    #[inline(always)]
-    fn is_daylight(self) -> bool {
-        matches!(self, Self::Smooth(_) | Self::InRow(FIRST_SUNLIT..))
-    }
-}
 
 #[inline(always)]
 fn of_place<S: Simd>(
@@ -303,9 +270,9 @@ mod tests {
                         let (doppler, toward) = (F::simd_from(simd, factors), V3::all(simd, [0.0, 0.0, 1.0]));
                         let found =
                             received_colour(effects, Tables::shared(), packed, doppler, toward, Some(facing), None, hatched);
-                        let parts = daylight::Facing { rapid, ahead }.parts();
+                        let facing = Some(daylight::Facing { rapid, ahead });
                         for (lane, factor) in factors.into_iter().enumerate() {
-                            let shown = light.shown_in_parts(&appearance, factor.into(), &parts, Paint::WHITE);
+                            let shown = light.shown_facing(&appearance, factor.into(), facing, Paint::WHITE);
                             let expected = expected(shown, &hatch, lane);
                             for (found, expected) in found.lane(lane).into_iter().zip(expected) {
                                 let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();

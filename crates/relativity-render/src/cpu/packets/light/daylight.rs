@@ -1,16 +1,20 @@
 //! The street's daylight as surfaces receive it: `shaders/daylight.wgsl` on the CPU.
 //! [`crate::light::daylight`] derives it.
 
-use super::colour::LightKind;
-use super::tables::{ScreenLights, Tables, on_screen, shown};
-use crate::colour::sunlit::{PAINTS, WHITE};
-use crate::cpu::packets::logarithm::{MOST_POWER, log2, power_of_two};
+use std::f32::consts::PI;
+
+use super::tables::{LightKind, ScreenLights, Tables, on_screen, shown};
+use crate::colour::sunlit::{FIRST_OCTAVE, PAINTS, WHITE};
+use crate::cpu::packets::logarithm::{log2, power_of_two};
 use crate::cpu::packets::wheel::spin::velocity_at;
 use crate::cpu::packets::wheel::turning::TurningBody;
-use crate::light::daylight::{LEAST_BETA, MOST_RAPID, PARTS};
+use crate::light::daylight::MOST_RAPID;
 use crate::light::palette::FIRST_SUNLIT;
+use crate::light::sky;
 use crate::scene::wheel::packed::Turns;
-use crate::simd::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select};
+use crate::simd::lanes::{
+    F, LANES, Simd, SimdFloat as _, SimdFrom as _, V2, V3, all, clamp, select, sign_of,
+};
 use crate::view::effects::Effects;
 
 /// The motion of surfaces through the street's light.
@@ -20,29 +24,6 @@ pub struct Facings<S: Simd> {
     pub rapid: F<S>,
     /// The cosine, in their own frame, of the angle between their normal and their motion.
     pub ahead: F<S>,
-}
-
-/// The numbers that all parts of the received light share.
-#[derive(Clone, Copy)]
-struct SharedNumbers<S: Simd> {
-    gamma: F<S>,
-    beta: F<S>,
-    /// 1 - beta, to the last digit near the speed of light.
-    below_light: F<S>,
-    /// beta as parts are weighted by it, and 1 less that.
-    weighed: F<S>,
-    beside: F<S>,
-    ahead: F<S>,
-    /// The sine to `ahead`.
-    across: F<S>,
-}
-
-/// A part of the light that surfaces receive.
-#[derive(Clone, Copy)]
-struct LightPart<S: Simd> {
-    /// The share of it, but for a factor.
-    share: F<S>,
-    log2_doppler: F<S>,
 }
 
 /// Returns the motion of the surface at `place`, from the body's middle, with this `normal`.
@@ -65,45 +46,73 @@ pub fn facing_of<S: Simd>(simd: S, there: &TurningBody<'_, S>, place: V3<S>, nor
     Facings { rapid, ahead: clamp(time / rapid.max(1e-30), -one, one) }
 }
 
-impl<S: Simd> SharedNumbers<S> {
+impl<S: Simd> Facings<S> {
+    /// log2 of the mean Doppler factor of the light of the hemisphere, as
+    /// [`Facing::mean_octaves`](crate::light::daylight::Facing::mean_octaves).
     #[inline(always)]
-    fn new(simd: S, Facings { rapid, ahead }: Facings<S>) -> Self {
-        const LEAST: f32 = LEAST_BETA as f32;
-        let gamma = (rapid * rapid + 1.0).sqrt();
-        let beta = rapid / gamma;
-        let below_light = 1.0 / (gamma * gamma * (beta + 1.0));
-        let is_slow = beta.simd_lt(LEAST);
-        let weighed = beta.max(LEAST);
-        let beside = select(is_slow, all(simd, 1.0 - LEAST), below_light);
-        let across = (1.0 - ahead * ahead).max(0.0).sqrt();
-        Self { gamma, beta, below_light, weighed, beside, ahead, across }
+    fn mean_octaves(self) -> F<S> {
+        let time = self.rapid * self.ahead;
+        let [across, gamma] = [(time * time + 1.0).sqrt(), (self.rapid * self.rapid + 1.0).sqrt()];
+        log2(gamma / across * (1.0 - time / (across * 3.0))) + octaves_of_sinh(time)
     }
 
-    /// log2 of 1 - beta w of the hottest light, and of the coldest over that.
+    /// The colour of paint with these `shares` of red, green and blue where `octaves` is log2 of the mean
+    /// Doppler factor, as [`sky::reflected`]; and log2 of white's level.
     #[inline(always)]
-    fn ends(self, simd: S) -> [F<S>; 2] {
-        let Self { weighed, beside, ahead, across, .. } = self;
+    fn reflected(self, simd: S, octaves: F<S>, shares: V3<S>) -> (V3<S>, F<S>) {
         let (zero, one) = (all(simd, 0.0), all(simd, 1.0));
-        let faces_back = ahead.simd_lt(0.0);
-        let hottest = beside + select(faces_back, weighed * ahead * ahead / (across + 1.0), zero);
-        let coldest = weighed * select(faces_back, one, across) + 1.0;
-        [log2(hottest), log2(coldest / hottest)]
+        let motion = octaves_of_sinh(self.rapid);
+        let of_normal = clamp(octaves_of_sinh(self.rapid * self.ahead) / motion.max(1e-30), -one, one);
+        let turn = arc_cosine(simd, -of_normal) * ((sky::TURNS - 1) as f32 / PI);
+        let place = (octaves - FIRST_OCTAVE as f32) * sky::PER_OCTAVE as f32;
+        let last = (sky::ENTRIES - 1) as f32;
+        let speed = motion * sky::SPEEDS_PER_OCTAVE as f32;
+        let speed: [f32; LANES] = clamp(speed, zero, all(simd, (sky::SPEEDS - 1) as f32)).into();
+        let (turn, inside): ([f32; LANES], [f32; LANES]) =
+            (turn.into(), clamp(place, zero, all(simd, last)).into());
+        let [red, green, blue]: [[f32; LANES]; 3] = [shares.x.into(), shares.y.into(), shares.z.into()];
+        let mut parts = [[0.0; LANES]; 4];
+        for lane in 0..LANES {
+            let found =
+                in_table([speed[lane], turn[lane], inside[lane]], [red[lane], green[lane], blue[lane]]);
+            for part in 0..4 {
+                parts[part][lane] = found[part];
+            }
+        }
+        let [red, green, blue, level] = parts.map(|part| F::simd_from(simd, part));
+        (V3::new(red, green, blue), level + (place - last).max(0.0) * (sky::PER_OCTAVE as f32).recip())
     }
+}
 
-    /// The part at this `place`, from the hottest to the coldest, with this `weight`.
-    #[inline(always)]
-    fn part(self, simd: S, [first, octaves]: [F<S>; 2], [place, weight]: [f64; 2]) -> LightPart<S> {
-        let Self { gamma, beta, below_light, weighed, beside, ahead, across } = self;
-        let slowed = power_of_two(octaves * (place as f32) + first);
-        let aside = clamp((slowed - beside) / weighed, all(simd, 0.0), all(simd, 2.0));
-        let along = ahead * (1.0 - aside);
-        let sideways = across * (aside * (2.0 - aside)).max(0.0).sqrt();
-        let one = all(simd, 1.0);
-        let half_turn = arc_cosine(simd, clamp(-along / sideways.max(1e-9), -one, one));
-        let seen = along * half_turn + (sideways * sideways - along * along).max(0.0).sqrt();
-        let log2_doppler = -log2(gamma * (below_light + beta * aside));
-        LightPart { share: slowed * seen * (weight as f32), log2_doppler }
+/// The entry between those at this speed, turn and place, of paint with these shares.
+#[inline(always)]
+fn in_table(at: [f32; 3], shares: [f32; 3]) -> [f32; 4] {
+    let table = sky::table();
+    let below = |of: usize, count: usize| (at[of] as usize).min(count - 2);
+    let [speed, turn, place] = [below(0, sky::SPEEDS), below(1, sky::TURNS), below(2, sky::ENTRIES)];
+    let past = [at[0] - speed as f32, at[1] - turn as f32, at[2] - place as f32];
+    let mut found = [0.0; 4];
+    for corner in 0..4 {
+        let [faster, ahead] = [corner / 2, corner % 2];
+        let weight = |of: usize, past_it: usize| if past_it == 1 { past[of] } else { 1.0 - past[of] };
+        let weight = weight(0, faster) * weight(1, ahead);
+        let row = &table[((speed + faster) * sky::TURNS + turn + ahead) * sky::WIDTH..][..sky::WIDTH];
+        for (primary, share) in shares.into_iter().enumerate() {
+            let [low, high] = [row[primary * sky::ENTRIES + place], row[primary * sky::ENTRIES + place + 1]];
+            for part in 0..3 {
+                let entry = low[part] * (1.0 - past[2]) + high[part] * past[2];
+                found[part] += weight * share * entry;
+            }
+        }
+        found[3] += weight * (row[place][3] * (1.0 - past[2]) + row[place + 1][3] * past[2]);
     }
+    found
+}
+
+/// log2 of e to what has this hyperbolic sine.
+#[inline(always)]
+fn octaves_of_sinh<S: Simd>(x: F<S>) -> F<S> {
+    sign_of(x) * log2(x.abs() + (x * x + 1.0).sqrt())
 }
 
 /// The angle with this cosine, within 7e-5: M. Abramowitz, I. A. Stegun, *Handbook of Mathematical
@@ -113,7 +122,7 @@ fn arc_cosine<S: Simd>(simd: S, cosine: F<S>) -> F<S> {
     let x = cosine.abs();
     let sum = x * (x * (x * -0.018_729_3 + 0.074_261) - 0.212_114_4) + 1.570_728_8;
     let angle = (1.0 - x).max(0.0).sqrt() * sum;
-    select(cosine.simd_lt(all(simd, 0.0)), std::f32::consts::PI - angle, angle)
+    select(cosine.simd_lt(all(simd, 0.0)), PI - angle, angle)
 }
 
 /// Linear sRGB of what reflects the street's daylight, for this log2 of the exposure: see
@@ -128,10 +137,8 @@ pub fn of_street_daylight<S: Simd>(
     facing: Facings<S>,
 ) -> ScreenLights<S> {
     let simd = shift.simd;
-    let course = SharedNumbers::new(simd, facing);
-    let ends = course.ends(simd);
     let seen = shift * tables.sunlit_per_octave + tables.sunlit_at_rest;
-    // The shares of the smooth paint that stands for it, and what is left of its colour.
+    // The shares of the smooth paint that stands for it, and its colour.
     let stand_in = match kind {
         LightKind::InRow(WHITE_ROW) => None,
         LightKind::InRow(row) => {
@@ -142,33 +149,17 @@ pub fn of_street_daylight<S: Simd>(
             tables.smooth(FIRST_SUNLIT, shares, seen).0,
         )),
     };
-    let paint = stand_in.map(|(shares, colour)| {
-        let smooth = tables.smooth(FIRST_LIGHT, shares, seen).0;
-        (shares, colour - smooth)
-    });
-    let mut sum = V3::all(simd, [0.0; 3]);
-    let (mut shares, mut beyond, mut hottest) = (all(simd, 0.0), all(simd, 0.0), all(simd, 0.0));
-    for (i, node) in PARTS.into_iter().enumerate() {
-        let LightPart { share, log2_doppler } = course.part(simd, ends, node);
-        let place = (shift + log2_doppler) * tables.sunlit_per_octave + tables.sunlit_at_rest;
-        let (colour, level) = match paint {
-            None => tables.colour(WHITE_ROW, place),
-            Some((paint, rest)) => {
-                let (smooth, level) = tables.smooth(FIRST_LIGHT, paint, place);
-                (smooth + rest, level)
-            }
-        };
-        let power = level + exposure;
-        if i == 0 {
-            // Beyond what floats hold all are held back alike: so their mixture keeps its hue.
-            beyond = (power - MOST_POWER).max(0.0);
-            hottest = place;
+    let octaves = shift + facing.mean_octaves();
+    let (colour, level) = match stand_in {
+        None => facing.reflected(simd, octaves, V3::all(simd, [1.0; 3])),
+        Some((shares, colour)) => {
+            let (seen_in_sky, level) = facing.reflected(simd, octaves, shares);
+            (seen_in_sky + colour - tables.smooth(FIRST_LIGHT, shares, seen).0, level)
         }
-        sum += colour * (power_of_two(power - beyond) * share);
-        shares += share;
-    }
-    let light = on_screen(sum * (1.0 / shares.max(1e-30)));
-    shown(effects, light, || tables.unseen(FIRST_SUNLIT, hottest))
+    };
+    let light = on_screen(colour * power_of_two(level + exposure));
+    let place = octaves * tables.sunlit_per_octave + tables.sunlit_at_rest;
+    shown(effects, light, || tables.unseen(FIRST_SUNLIT, place))
 }
 
 /// The row of red paint at rest in shifted daylight, before those of green and of blue paint.

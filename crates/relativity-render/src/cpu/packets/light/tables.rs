@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 use fearless_simd::i32x8;
 
+use crate::colour::sunlit::WHITE;
 use crate::light::palette::{self, ENTRIES, FIRST_SUNLIT, Row};
 use crate::light::shade::LIGHT;
 use crate::light::tone::{BRIGHTEST, KNEE};
@@ -12,6 +13,38 @@ use crate::view::effects::Effects;
 
 const LENGTH: usize = ENTRIES as usize;
 pub const LAST: f32 = (ENTRIES - 1) as f32;
+
+/// Light as the formulas take it.
+#[derive(Clone, Copy)]
+pub enum LightKind<S: Simd> {
+    /// Light of a row of the tables.
+    InRow(usize),
+    /// Daylight that smooth paint reflects, with these shares of red, green and blue.
+    Smooth(V3<S>),
+}
+
+impl<S: Simd> LightKind<S> {
+    /// Returns the kind of this [`Light::packed`](crate::light::screen_light::Light::packed), on the paint of
+    /// a model if there is any.
+    #[inline(always)]
+    pub fn new(simd: S, light: [f32; 4], paint: Option<V3<S>>) -> Self {
+        let [first, second, ..] = light;
+        if first >= 0.0 {
+            return Self::Smooth(V3::all(simd, [first, second, 1.0 - first - second]));
+        }
+        let row = -first as usize - 1;
+        match paint {
+            Some(paint) if row == FIRST_SUNLIT + WHITE => Self::Smooth(paint),
+            _ => Self::InRow(row),
+        }
+    }
+
+    /// Whether it is daylight.
+    #[inline(always)]
+    pub fn is_daylight(self) -> bool {
+        matches!(self, Self::Smooth(_) | Self::InRow(FIRST_SUNLIT..))
+    }
+}
 
 /// The tables that colours are found in, and where in them.
 #[derive(Debug)]
