@@ -45,7 +45,7 @@ fn row(renderers: &mut Renderers, settings: &Settings, light: bool) -> anyhow::R
         let mut state = State::open(settings)?;
         for time in times(&state) {
             state.document.time = time;
-            state.frame.picture_size = SIZE;
+            state.frame.picture.size = SIZE;
             let (view, appearance) = (state.view(Eye::Left, SIZE), state.appearance(light));
             let method = state.method(&view);
             row.push(renderers.picture(method, &state.document.prepared, &view, &appearance, 2)?);

@@ -21,6 +21,7 @@ pub fn beginnings(text: &str) -> Vec<String> {
     let mut inner: Vec<usize> =
         INNER_ENDS.iter().flat_map(|end| first.match_indices(end)).map(|(at, _)| at).collect();
     inner.sort_unstable();
-    let parts = inner.into_iter().map(|at| format!("{}.", &first[..at]));
-    parts.chain(whole.clone()).collect()
+    let mut beginnings: Vec<String> = inner.into_iter().map(|at| format!("{}.", &first[..at])).collect();
+    beginnings.extend(whole);
+    beginnings
 }

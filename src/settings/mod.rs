@@ -47,4 +47,4 @@ pub use sections::{
     ScreenSettings, Theme, USUAL_FOV, VIEWING_CM, WindowSettings,
 };
 pub use start::StartArgs;
-pub use views::Subject;
+pub use views::{Canvas, Subject};

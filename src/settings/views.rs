@@ -42,6 +42,15 @@ pub struct Subject<'a> {
     pub tracked: Track,
 }
 
+/// The size of a picture on the screen, which fields of view are fitted to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Canvas {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// Whether a picture wider than usual shows as much in height: before an audience.
+    pub keeps_height: bool,
+}
+
 impl Settings {
     /// Returns the views of the left and the right eye at `observation_time`, `size` in pixels, as they look
     /// at `subject`.
@@ -69,15 +78,14 @@ impl Settings {
         }
     }
 
-    /// Returns the same look as it is shown: where it `keeps_height`, a field of view that is set is that of
-    /// a picture of 16:9, and a wider one shows as much in height and more at its sides.
+    /// Returns the same look as it is shown: on a canvas that keeps its height, a field of view that is set
+    /// is that of a picture of 16:9, and a wider one shows as much in height and more at its sides.
     #[must_use]
     pub fn shown_look(
         &self,
         subject: Subject,
         observation_time: f64,
-        size: [u32; 2],
-        keeps_height: bool,
+        Canvas { size, keeps_height }: Canvas,
     ) -> LookSettings {
         let look = self.fixed_look(subject, observation_time, size);
         match self.look.set_fov().filter(|_| keeps_height) {

@@ -114,7 +114,7 @@ fn no_size_of_the_window_is_an_error() {
     for size in [[0.0, 0.0], [1.0, 1.0], [1.0, 800.0], [20_000.0, 3.0], [5000.0, 4000.0], [1280.0, 800.0]] {
         harness.set_size(Vec2::from(size));
         harness.run_steps(2);
-        let numbers = harness.state().state().frame.picture_size;
+        let numbers = harness.state().state().frame.picture.size;
         assert!(numbers.iter().all(|side| (1..=2048).contains(side)), "{size:?}: {numbers:?}");
         assert_eq!(notice(&harness), None, "{size:?}");
     }

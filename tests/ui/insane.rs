@@ -244,7 +244,7 @@ fn insane_settings_open_with_numbers_that_are_numbers() {
         let settings = &document.settings;
         let tracked = document.points.selected().track;
         let subject = Subject { scene: &document.prepared, tracked };
-        let views = settings.views(subject, document.time, frame.picture_size);
+        let views = settings.views(subject, document.time, frame.picture.size);
         let shown = format!(
             "{views:?} {:?} {:?}",
             state.appearance(true),

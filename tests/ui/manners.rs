@@ -179,6 +179,7 @@ fn the_smallest_window_has_plots_and_views_of_use() {
         for quantity in ["Δφ", "Δθ"] {
             let name = label_starting_with(&window, &format!("Plot of {quantity}"));
             let plot = window.get_by_label(&name).rect();
+            // Three ticks and what is between them: the pictures come first.
             assert!(plot.width() >= 160.0 && plot.height() >= 75.0, "{size:?} {quantity}: {plot:?}");
         }
     }

@@ -109,7 +109,7 @@ fn a_change_of_preset_or_layout_fades_for_a_moment_unless_nothing_is_to_move() {
             window.state_mut().run(change);
             window.step();
             assert_eq!(window.state().is_fading(), animations);
-            // 0.25 s.
+            // Frames are 1/16 s apart: of these the fourth is the first after the 200 ms of a fade.
             window.run_steps(4);
             assert!(!window.state().is_fading());
             settle(&mut window);

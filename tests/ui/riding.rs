@@ -5,7 +5,9 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::app::commands::{Command, GazeCommand, PlaybackCommand, SettingsCommand, ShowCommand, Switch};
+use gamow::app::commands::{
+    Command, GazeCommand, PlaybackCommand, SettingsCommand, ShowCommand, Switch, WindowCommand,
+};
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::riding::saddle::RideCommand;
@@ -30,6 +32,7 @@ pub const TESTS: &[Test] = trials![
     the_map_has_a_riders_frame_while_one_rides,
     a_fit_finds_ones_own_speed,
     a_ride_is_one_large_picture_and_getting_off_gives_the_layout_back,
+    the_caption_of_a_passage_goes_while_one_rides,
     one_command_opens_the_street_and_rides,
     the_large_speed_is_ones_own,
     the_throttle_is_reached_by_pedalling,
@@ -426,6 +429,25 @@ fn a_ride_is_one_large_picture_and_getting_off_gives_the_layout_back() {
     window.key_press(Key::I);
     window.run_steps(2);
     assert_eq!(layout(&window), Layout::OverUnder);
+}
+
+fn the_caption_of_a_passage_goes_while_one_rides() {
+    let passage = Preset::named("street").expect("a preset");
+    let mut window = window_without_pictures(street(), [1366.0, 768.0]);
+    let says = |window: &mut Harness<'_, App>| {
+        window.run_steps(3);
+        let is_caption = |label: &String| label.len() > 20 && passage.caption.starts_with(label.as_str());
+        labels(window).iter().any(is_caption)
+    };
+    for is_presented in [false, true] {
+        window.state_mut().run(ShowCommand::Preset(passage));
+        assert!(says(&mut window), "{is_presented}");
+        window.key_press(Key::I);
+        assert!(!says(&mut window), "{is_presented}");
+        window.key_press(Key::I);
+        assert!(says(&mut window), "{is_presented}");
+        window.state_mut().run(WindowCommand::TogglePresenting);
+    }
 }
 
 fn one_command_opens_the_street_and_rides() {

@@ -139,7 +139,7 @@ fn a_saved_picture_opens_as_the_state_that_it_shows() {
     assert_eq!(again.document.scene.name, shown.document.scene.name);
     assert_eq!(again.document.points.selected().track, shown.document.points.selected().track);
     // What follows something is recorded as where it was.
-    let size = shown.frame.picture_size;
+    let size = shown.frame.picture.size;
     for eye in Eye::BOTH {
         assert_eq!(again.view(eye, size), shown.view(eye, size));
     }
@@ -151,7 +151,7 @@ fn a_saved_picture_has_the_pixels_of_the_views() {
     let mut state = special();
     state.run(in_layout(Layout::Left));
     let mut window = window(state);
-    let size = window.state().state().frame.picture_size;
+    let size = window.state().state().frame.picture.size;
     save(&mut window, "Save picture…", &path);
     assert_eq!(PngFile::read(&path).expect("a picture").picture().size, size);
     // Another size is typed.

@@ -7,6 +7,7 @@ use crate::app::state::pointer::{Turn, Zoom};
 use crate::eye::Eye;
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;
+use crate::settings::Canvas;
 
 /// Turn of the gaze for a press of a key, widths of a view.
 pub const LOOK_STEP: f64 = 0.05;
@@ -45,7 +46,7 @@ impl State {
     }
 
     fn magnify(&mut self, factor: f64) {
-        let size = self.frame.picture_size;
+        let size = self.frame.picture.size;
         let pixel = size.map(|side| 0.5 * f64::from(side));
         self.zoom(Zoom { eye: Eye::Left, is_second: false, pixel, size, factor });
     }
@@ -56,7 +57,7 @@ impl State {
     }
 
     fn look_aside(&mut self, [across, up]: [f64; 2]) {
-        let size = self.frame.picture_size;
+        let size = self.frame.picture.size;
         let [width, height] = size.map(f64::from);
         let from = [0.5 * width, 0.5 * height];
         let to = [from[0] - across * width, from[1] + up * width];
@@ -77,8 +78,8 @@ impl State {
     /// Sets the field of view that the pictures show.
     fn set_shown_fov(&mut self, shown: f64) {
         let settings = &mut self.document.settings;
-        let size = self.frame.picture_size;
-        let fov = if self.frame.keeps_height { settings.narrowed_fov(shown, size) } else { shown };
+        let Canvas { size, keeps_height } = self.frame.picture;
+        let fov = if keeps_height { settings.narrowed_fov(shown, size) } else { shown };
         settings.look.fov = FieldOfView(Some(fov));
     }
 

@@ -74,18 +74,15 @@ impl State {
     /// Shows one eye's picture in place of both eyes', or both.
     fn switch_eyes(&mut self) {
         let has_both = self.has_both_eyes();
+        let leaves_one_out = self.may_leave_an_eye_out() && self.session.stage.audience.both_eyes;
         let picture = &mut self.document.settings.picture;
-        let stage = &mut self.session.stage;
-        // Before an audience one of two pictures apart is left out, and the layout stays.
-        let leaves_one_out =
-            stage.is_presented() && stage.audience.both_eyes && picture.layout.shows_two_apart();
         picture.layout = match (has_both, picture.layout) {
             (true, layout) if leaves_one_out => layout,
             (true, _) => Layout::Left,
             (false, layout) if layout.has_both() => layout,
             (false, _) => Layout::SideBySide,
         };
-        stage.audience.both_eyes = !has_both;
+        self.session.stage.audience.both_eyes = !has_both;
     }
 
     /// Shows this panel beside the picture for an audience, or if it is shown none.

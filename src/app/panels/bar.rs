@@ -22,7 +22,7 @@ use crate::settings::{Theme, WindowSettings, about, meaning};
 use crate::units::Units;
 
 /// Room for a menu's entries before they scroll, points.
-const MENU_HEIGHT: f32 = 420.0;
+const MENU_HEIGHT: f32 = 520.0;
 
 /// Narrower bars do without the program's name, have units and theme in a menu, and what is shown, too;
 /// points.
@@ -34,6 +34,11 @@ const NARROWEST_WITH_PARTS: f32 = 700.0;
 const NARROWEST_WITH_WAY_BACK: f32 = 540.0;
 /// A window that is lower is that of a phone on its side, points.
 const LOWEST_WITH_WAY_BACK: f32 = 480.0;
+/// Room for the buttons after the scene's name on a phone, and widths that the name has at least there and
+/// elsewhere.
+const PHONE_BUTTONS: f32 = 146.0;
+const LEAST_NAME: f32 = 110.0;
+const USUAL_NAME: f32 = 140.0;
 /// A narrower caption would say nothing.
 const NARROWEST_CAPTION: f32 = 180.0;
 
@@ -108,10 +113,9 @@ fn pages(ui: &mut Ui, state: &State, has_room: bool, commands: &mut Commands) {
 /// Shows as many whole sentences of the preset's caption as fit in two lines, and all of it on hover.
 fn caption(ui: &mut Ui, state: &State) {
     let has_room = ui.available_width() >= NARROWEST_CAPTION;
-    // On a page nothing of the preset is seen, and of own data it says nothing.
+    // On a page nothing of the preset is seen.
     let is_page = state.session.overlay.is_some_and(Overlay::is_page);
-    let is_told = has_room && !is_page && state.session.data.is_none();
-    let Some(preset) = state.document.preset.filter(|_| is_told) else { return };
+    let Some(preset) = state.told_preset().filter(|_| has_room && !is_page) else { return };
     let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
     let laid = |text: &str| {
@@ -126,22 +130,32 @@ fn caption(ui: &mut Ui, state: &State) {
 }
 
 fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    let width = if ui.available_width() < NARROWEST_WITH_WAY_BACK { 110.0 } else { 140.0 };
+    ui.scope(|ui| {
+        let room = ui.available_width();
+        let is_on_phone = room < NARROWEST_WITH_WAY_BACK;
+        // On a phone a long name leaves room for the buttons after it.
+        ui.set_max_width(if is_on_phone { (room - PHONE_BUTTONS).max(LEAST_NAME) } else { room });
+        choose_scene(ui, state, if is_on_phone { LEAST_NAME } else { USUAL_NAME }, commands);
+    });
+}
+
+fn choose_scene(ui: &mut Ui, state: &State, least: f32, commands: &mut Commands) {
     ComboBox::from_id_salt("scene")
         .selected_text(&state.document.scene.name)
-        .width(width)
+        .width(least)
         .truncate()
         .height(MENU_HEIGHT)
         .show_ui(ui, |ui| {
-            // So that the files that were opened have room below.
             ui.spacing_mut().item_spacing.y = 1.0;
+            // Above the program's own, which have to be scrolled in a low window.
+            files(ui, state, commands);
+            ui.separator();
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.document.scene.name;
                 if ui.selectable_label(shown, scene.name).clicked() {
                     commands.push(ShowCommand::Scene(preset).into());
                 }
             }
-            files(ui, state, commands);
         })
         .response
         .on_hover_text(
@@ -153,7 +167,6 @@ fn scene(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// The files that were opened, and the way to another.
 fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
-    ui.separator();
     let shown = state.shown_files();
     for path in state.session.recent.all() {
         let choice = ui.selectable_label(shown.contains(path), file_name(path));

@@ -30,3 +30,6 @@ use super::commands::Command;
 
 /// The commands that a panel asks for while it is shown.
 pub type Commands = Vec<Command>;
+
+/// Written between two notes on a picture.
+const BETWEEN_NOTES: &str = "  ·  ";

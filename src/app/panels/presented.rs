@@ -2,10 +2,11 @@
 //! title, beside them what is seen and why, and the keys that show more.
 
 use eframe::egui::{
-    Align, Context, CursorIcon, FontId, Label, Layout, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, vec2,
+    Align, Color32, Context, CursorIcon, FontId, Label, Layout, Rect, RichText, Sense, TextStyle, Ui,
+    UiBuilder, vec2,
 };
 
-use super::Commands;
+use super::{BETWEEN_NOTES, Commands};
 use crate::app::commands::actions::keys_of;
 use crate::app::commands::choice_keys;
 use crate::app::commands::{Command, FileCommand, SettingsCommand, Switch};
@@ -38,7 +39,7 @@ const HEADING_WIDTH: f32 = 0.2;
 const KEYS_HEIGHT: f32 = 1.3;
 
 /// Written between two keys.
-const APART: &str = "\u{a0}·\u{a0}";
+const APART: &str = "·";
 
 /// Returns the height in proportion to which a window of this `area` writes for an audience.
 fn reference_height(area: Rect) -> f32 {
@@ -130,14 +131,14 @@ fn title(state: &State) -> String {
             if count > 1 && step < count { format!("  {} of {count}", step + 1) } else { String::new() };
         return format!("{}{place}", lesson.title);
     }
-    let preset = state.document.preset.map(|preset| preset.title.clone());
+    let preset = state.told_preset().map(|preset| preset.title.clone());
     preset.unwrap_or_else(|| state.document.scene.name.clone())
 }
 
 /// Writes the caption of the preset into `rect`, or the moment in words on request: as many
 /// whole sentences as have room.
 fn caption(ui: &mut Ui, state: &State, rect: Rect, least: f32) {
-    let text = match state.document.preset {
+    let text = match state.told_preset() {
         Some(preset) if !state.session.stage.audience.tells_moment => preset.caption.clone(),
         None if !state.session.stage.audience.tells_moment => return,
         _ => state.moment().sentence().replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}"),
@@ -165,7 +166,8 @@ fn caption(ui: &mut Ui, state: &State, rect: Rect, least: f32) {
 fn line(ui: &mut Ui, rect: Rect, notes: &str, keys: Vec<ShownKey>, commands: &mut Commands) {
     let written = |text: &str| Label::new(RichText::new(text).small().weak()).selectable(false).truncate();
     ui.scope_builder(UiBuilder::new().id_salt("keys").max_rect(rect), |ui| {
-        ui.spacing_mut().item_spacing.x = 0.0;
+        let size = TextStyle::Small.resolve(ui.style()).size;
+        ui.spacing_mut().item_spacing.x = 0.3 * size;
         ui.with_layout(Layout::right_to_left(Align::Max), |ui| {
             for (number, (text, command)) in keys.into_iter().rev().enumerate() {
                 if number > 0 {
@@ -180,7 +182,17 @@ fn line(ui: &mut Ui, rect: Rect, notes: &str, keys: Vec<ShownKey>, commands: &mu
                     commands.push(command);
                 }
             }
-            ui.with_layout(Layout::left_to_right(Align::Max), |ui| ui.add(written(notes)));
+            ui.add_space(size);
+            let room = ui.available_width();
+            let fits = |text: &str| {
+                let font = FontId::proportional(size);
+                ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x <= room
+            };
+            // No note is cut: the last ones give way.
+            let parts: Vec<&str> = notes.split(BETWEEN_NOTES).collect();
+            let shorter = (1..=parts.len()).rev().map(|count| parts[..count].join(BETWEEN_NOTES));
+            let notes = shorter.into_iter().find(|text| fits(text)).unwrap_or_default();
+            ui.with_layout(Layout::left_to_right(Align::Max), |ui| ui.add(written(&notes)));
         });
     });
 }

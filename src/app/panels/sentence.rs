@@ -4,9 +4,10 @@ use eframe::egui::{self, Align2, FontId, Ui, accesskit::Role, text::LayoutJob};
 
 use crate::app::state::State;
 use crate::app::widgets::theme;
+use crate::caption::beginnings;
 
-/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and words at
-/// the end are left out.
+/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and as much of
+/// its end is left out as has no room.
 const SIZES: [f32; 2] = [theme::BODY_SIZE, theme::SMALL_SIZE];
 
 /// Greatest magnification relative to other large writing.
@@ -30,14 +31,13 @@ pub fn show(ui: &mut Ui, state: &State) {
     let fitting = sizes.map(laid_out).find(|galley| galley.size().y <= rect.height());
     let is_whole = fitting.is_some();
     let galley = fitting.unwrap_or_else(|| {
-        let cut = |words: &[&str]| {
-            let text = format!("{} …", words.join(" "));
+        let cut = |text: &String| {
             let font = FontId::proportional(theme::SMALL_SIZE);
-            ui.painter().layout(text, font, colour, rect.width())
+            ui.painter().layout(text.clone(), font, colour, rect.width())
         };
-        let words: Vec<&str> = tied.split(' ').collect();
-        let shorter = (1..words.len()).rev().map(|count| cut(&words[..count]));
-        shorter.into_iter().find(|galley| galley.size().y <= rect.height()).unwrap_or_else(|| cut(&[]))
+        let shorter = beginnings(&tied);
+        let fitting = shorter.iter().rev().map(cut).find(|galley| galley.size().y <= rect.height());
+        fitting.unwrap_or_else(|| cut(&shorter[0]))
     });
     let place = Align2::LEFT_CENTER.anchor_size(rect.left_center(), galley.size());
     ui.painter().galley(place.min, galley, colour);

@@ -11,7 +11,7 @@ use crate::app::state::State;
 use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::theme;
 use crate::app::widgets::wavelength_colour::{paint_strip, places, visible_colour};
-use crate::caption::{Moment, RestLight, in_words};
+use crate::caption::{Moment, RestLight, beginnings, in_words};
 use crate::eye::Eye;
 
 /// Shortest and longest wavelength of the scale, nm.
@@ -38,15 +38,7 @@ pub fn show(ui: &mut Ui, state: &State) {
     paint_names(&painter, strip, &marks, ui.visuals());
     paint_marks(ui, strip, &marks);
     if marks.is_empty() {
-        let font_colour = ui.visuals().text_color();
-        let text = moment.light().unwrap_or_default();
-        painter.text(
-            pos2(rect.min.x, rect.min.y + NUMBERS_HEIGHT / 2.0),
-            Align2::LEFT_CENTER,
-            text,
-            FONT,
-            font_colour,
-        );
+        paint_light(&painter, rect, &moment.light().unwrap_or_default(), ui.visuals().text_color());
     }
     let name = format!("Wavelengths that arrive: {}", description(&marks, &moment));
     let response = ui.interact(strip, ui.scope_id().with("spectrum"), Sense::hover());
@@ -55,6 +47,14 @@ pub fn show(ui: &mut Ui, state: &State) {
         "The wavelengths that arrive from the selected point now, and the one that it emits at rest, on a \
             logarithmic scale.\nλ received = λ at rest / D",
     );
+}
+
+/// Writes above the strip at the bottom of `rect` as much of the `light` in words as has room.
+fn paint_light(painter: &Painter, rect: Rect, light: &str, colour: Color32) {
+    let mut laid = beginnings(light).into_iter().rev().map(|text| painter.layout_no_wrap(text, FONT, colour));
+    let Some(galley) = laid.find(|galley| galley.size().x <= rect.width()) else { return };
+    let place = pos2(rect.min.x, rect.min.y + NUMBERS_HEIGHT / 2.0);
+    painter.galley(Align2::LEFT_CENTER.anchor_size(place, galley.size()).min, galley, colour);
 }
 
 /// Returns the place of a wavelength on the strip; beyond its ends where it lies beyond.

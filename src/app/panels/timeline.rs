@@ -5,15 +5,14 @@ use std::sync::Arc;
 use eframe::egui::accesskit::Role;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    self, Align, Align2, Button, Checkbox, Color32, CursorIcon, Galley, Layout, PopupCloseBehavior, Rect,
-    Response, Sense, Slider, SliderClamping, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2,
+    self, Align, Align2, Checkbox, Color32, CursorIcon, Galley, Layout, PopupCloseBehavior, Rect, Response,
+    Sense, Slider, SliderClamping, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2,
 };
 
 use super::Commands;
 use crate::app::commands::actions::with_keys;
-use crate::app::commands::{Command, FileCommand, PlaybackCommand, SettingsCommand};
+use crate::app::commands::{Command, PlaybackCommand, SettingsCommand};
 use crate::app::state::State;
-use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::views::window_layout::has_timeline_in_a_row;
 use crate::app::widgets;
 use crate::app::widgets::apart::{Span, apart};
@@ -127,13 +126,6 @@ fn transport(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let response = icons::button(ui, icon, name, egui::vec2(width, 26.0), pressed);
         if response.on_hover_text(with_keys(name, std::slice::from_ref(&command))).clicked() {
             commands.push(command);
-        }
-    }
-    if few && state.session.lesson.is_none() {
-        let film = Command::File(FileCommand::Choose(Purpose::Save(Product::TenSeconds)));
-        let tip = with_keys(Product::TenSeconds.tip(), std::slice::from_ref(&film));
-        if ui.add(Button::new("Film").min_size(vec2(0.0, 26.0))).on_hover_text(tip).clicked() {
-            commands.push(film);
         }
     }
 }

@@ -45,7 +45,7 @@ impl App {
     /// Shows an audience the words of the lesson, else those of the preset.
     pub(in crate::app) fn show_words(&mut self, ui: &mut Ui, presentation: &Presentation) {
         let Some(rect) = presentation.words else { return };
-        let pane = presentation.panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied());
+        let pane = self.first_eye_pane(ui, &presentation.panes);
         let notes = pane.map(|pane| panels::views::note_for_audience(ui, &self.state, pane));
         self.show_panel(ui, "words", rect, |ui, state, commands| {
             let lesson = state.session.lesson.as_ref().map(panels::lesson::what_is_shown);

@@ -150,7 +150,7 @@ impl App {
     fn settings_of_picture(&self, ui: &Ui, size: [u32; 2]) -> Settings {
         let mut settings = self.state.shown();
         settings.picture.size = Size(size);
-        if self.state.frame.keeps_height && settings.look.set_fov().is_some() {
+        if self.state.frame.picture.keeps_height && settings.look.set_fov().is_some() {
             settings.look.fov = self.state.look().fov;
         }
         settings.look.geometry = settings.geometry();
@@ -173,13 +173,13 @@ impl App {
         let ctx = ui.ctx();
         let text = match copied {
             Copied::Picture => {
-                let job = SaveJob::Clipboard(self.drawn(ui, self.state.frame.picture_size));
+                let job = SaveJob::Clipboard(self.drawn(ui, self.state.frame.picture.size));
                 return self.begin(ctx, job, "the picture".to_owned(), 1);
             }
             Copied::Command => Ok(self.state.shown().window_command(Shell::here())),
             Copied::Link => self.state.shown().link_pairs().map(|pairs| link_to(&pairs)),
             Copied::RenderCommand => {
-                Ok(self.settings_of_picture(ui, self.state.frame.picture_size).command(Shell::here()))
+                Ok(self.settings_of_picture(ui, self.state.frame.picture.size).command(Shell::here()))
             }
             Copied::CurveCommand => self.state.curve_command(),
             Copied::Values => self.state.values_as_table(),

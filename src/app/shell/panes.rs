@@ -12,11 +12,11 @@ use crate::app::views::corrected::Corrected;
 use crate::app::views::examination::{Examination, ExaminedViews};
 use crate::app::views::eyes::{EyePictures, ShownPicture};
 use crate::app::views::flicker;
-use crate::app::views::panes::{EyePane, Pane, PaneContent, PaneTitle, on_screen};
+use crate::app::views::panes::{EyePane, Pane, PaneContent, on_screen};
 use crate::app::views::slide::panorama;
 use crate::app::widgets::theme;
 use crate::flags::choices::Form;
-use crate::settings::{PlotTab, Settings};
+use crate::settings::{Canvas, PlotTab, Settings};
 
 /// The name of what reads the mouse in `pane`, and draws into it.
 const fn pane_id(pane: EyePane) -> &'static str {
@@ -39,12 +39,16 @@ impl App {
         panes.into_iter().map(|eye_pane| eye_pane.of(pane)).collect()
     }
 
+    /// Returns the place of the first picture of an eye in `panes`.
+    pub(in crate::app) fn first_eye_pane(&self, ui: &Ui, panes: &[Pane]) -> Option<EyePane> {
+        panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied())
+    }
+
     /// Notes how large the eyes' pictures are, and how the eyes look: fields of view are fitted to that of
     /// the first.
     pub(in crate::app) fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
-        if let Some(pane) = panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied()) {
-            let frame = self.state.frame_mut();
-            (frame.picture_size, frame.keeps_height) = (pane.size, pane.title != PaneTitle::Above);
+        if let Some(pane) = self.first_eye_pane(ui, panes) {
+            self.state.frame_mut().picture = Canvas { size: pane.size, keeps_height: !pane.is_in_window() };
             self.state.note_looks();
         }
     }
@@ -83,7 +87,7 @@ impl App {
                 panorama::join(ui, &self.state, [upper, lower]);
             }
         }
-        let titled = panes.iter().filter(|pane| pane.title == PaneTitle::Above).map(|pane| pane.rect);
+        let titled = panes.iter().filter(|pane| pane.title.is_in_window()).map(|pane| pane.rect);
         let Some(area) = titled.reduce(Rect::union) else { return };
         let height = theme::text_scale(ui.style()) * theme::TITLE_HEIGHT;
         let strip = Rect::from_min_max(area.min - vec2(0.0, height), area.right_top());

@@ -96,7 +96,7 @@ impl App {
         let presentation = self.presentation(ui, area);
         let panes = presentation.panes.clone();
         // What is off is examined in pictures of the other window's size.
-        let (size, keeps_height) = (self.state.frame.picture_size, self.state.frame.keeps_height);
+        let picture = self.state.frame.picture;
         let examination = self.examination.take();
         let choices = self.state.frame.choices.clone();
         std::mem::swap(&mut self.eyes, &mut self.projected);
@@ -110,7 +110,7 @@ impl App {
         self.forget_composed(&panes);
         std::mem::swap(&mut self.eyes, &mut self.projected);
         (self.examination, self.fade) = (examination, fade);
-        (self.state.frame_mut().picture_size, self.state.frame_mut().keeps_height) = (size, keeps_height);
+        self.state.frame_mut().picture = picture;
         self.state.frame_mut().choices = choices;
         self.show_beside_picture(ui, &presentation);
         self.show_words(ui, &presentation);

@@ -8,15 +8,13 @@ use crate::accuracy::Choice;
 use crate::app::state::document::Document;
 use crate::app::state::shared::Shared;
 use crate::scene::Track;
-use crate::settings::{LookSettings, Settings, Subject};
+use crate::settings::{Canvas, LookSettings, Settings, Subject};
 
 /// The measurements and choices of a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
-    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
-    pub picture_size: [u32; 2],
-    /// Whether pictures wider than the default show as much in height: those before an audience.
-    pub keeps_height: bool,
+    /// The canvas of an eye's picture.
+    pub picture: Canvas,
     /// The size of a pixel of the screen, cm.
     pub cm_per_pixel: f64,
     /// Automatic choice for views of each geometry that is shown.
@@ -38,39 +36,24 @@ pub(in crate::app) struct Looked {
     prepared: PreparedScene,
     time: f64,
     tracked: Track,
-    size: [u32; 2],
-    keeps_height: bool,
+    canvas: Canvas,
     pub(in crate::app) look: LookSettings,
     pub(in crate::app) outline: Arc<Outline>,
 }
 
 impl Looked {
-    pub(in crate::app) fn new(
-        document: &Document,
-        settings: &Shared<Settings>,
-        size: [u32; 2],
-        keeps_height: bool,
-    ) -> Self {
+    pub(in crate::app) fn new(document: &Document, settings: &Shared<Settings>, canvas: Canvas) -> Self {
         let (prepared, tracked) = (document.prepared.clone(), document.points.selected().track);
         let subject = Subject { scene: &prepared, tracked };
-        let look = settings.shown_look(subject, document.time, size, keeps_height);
+        let look = settings.shown_look(subject, document.time, canvas);
         let outline = Arc::new(settings.outline(&prepared, document.time));
-        Self {
-            settings: settings.clone(),
-            prepared,
-            time: document.time,
-            tracked,
-            size,
-            keeps_height,
-            look,
-            outline,
-        }
+        Self { settings: settings.clone(), prepared, time: document.time, tracked, canvas, look, outline }
     }
 
-    pub(in crate::app) fn is_of(&self, document: &Document, size: [u32; 2], keeps_height: bool) -> bool {
+    pub(in crate::app) fn is_of(&self, document: &Document, canvas: Canvas) -> bool {
         self.settings.is_same(&document.settings)
             && self.prepared == document.prepared
-            && (self.time, self.size, self.keeps_height) == (document.time, size, keeps_height)
+            && (self.time, self.canvas) == (document.time, canvas)
             && self.tracked == document.points.selected().track
     }
 }
@@ -79,8 +62,7 @@ impl Frame {
     /// Returns the frame before the first: pictures are as large as `settings` have those of files.
     pub(in crate::app) fn before_the_first(settings: &Settings) -> Self {
         Self {
-            picture_size: settings.picture.size.0,
-            keeps_height: false,
+            picture: Canvas { size: settings.picture.size.0, keeps_height: false },
             cm_per_pixel: settings.screen.cm_per_point(None),
             choices: Vec::new(),
             shows_map: false,
@@ -91,9 +73,6 @@ impl Frame {
     }
 
     pub(in crate::app) fn looked(&self, document: &Document) -> Option<&Looked> {
-        self.looks
-            .iter()
-            .flatten()
-            .find(|looked| looked.is_of(document, self.picture_size, self.keeps_height))
+        self.looks.iter().flatten().find(|looked| looked.is_of(document, self.picture))
     }
 }

@@ -30,10 +30,15 @@ impl Point {
         self.body.or_else(|| scene.body_at(self.track.rest))
     }
 
-    /// Returns the name of the point in a sentence.
+    /// Returns the name of the point in a sentence; one with a number has no article: lamp 9.
     #[must_use]
     pub fn noun(&self, scene: &Scene) -> String {
-        format!("the {}", self.what(scene))
+        let what = self.what(scene);
+        if what.ends_with(|last: char| last.is_ascii_digit()) {
+            what.to_owned()
+        } else {
+            format!("the {what}")
+        }
     }
 
     /// Returns the point in `scene`: on its body, if there is one of that number, with which it may turn.

@@ -47,6 +47,14 @@ pub enum PaneTitle {
     Nowhere,
 }
 
+impl PaneTitle {
+    /// Whether the picture is that of the usual window, and not before an audience.
+    #[must_use]
+    pub const fn is_in_window(self) -> bool {
+        matches!(self, Self::Above)
+    }
+}
+
 /// The arrangement of the views' area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrangement {
@@ -279,6 +287,12 @@ impl EyePane {
             let rect = if is_shared { whole.rect } else { Rect::from_min_size(corner, part) };
             Self { eye: Eye::BOTH[picture.eyes()[place]], rect, size, is_shared, ..whole }
         })
+    }
+
+    /// Whether the picture is that of the usual window, and not before an audience.
+    #[must_use]
+    pub const fn is_in_window(&self) -> bool {
+        self.title.is_in_window()
     }
 
     /// Whether the pane takes the mouse: where both eyes' pictures share a place, the left eye's does.

@@ -99,7 +99,7 @@ impl StartPicture {
         let step = if moves { (now - self.drawn).min(LONGEST) } else { 0.0 };
         self.place = (self.place + step * RATE / (TO - FROM)).fract();
         self.state.document.time = FROM + self.place * (TO - FROM);
-        self.state.frame.picture_size = size;
+        self.state.frame.picture.size = size;
         let start = Instant::now();
         let request = self.request(size);
         let shown = self.eyes.picture(ctx, Eye::Left.index(), &request);

@@ -125,7 +125,7 @@ fn load(ctx: &Context, name: &str, size: [u32; 2], rgba: &[[u8; 4]]) -> TextureH
 fn steps(settings: &str) -> Option<ReferenceSteps> {
     let settings = Settings::default().with_toml(settings, "the lesson").ok()?;
     let mut state = State::open(settings).ok()?;
-    state.frame.picture_size = card::SIZE;
+    state.frame.picture.size = card::SIZE;
     let (view, appearance) = (state.view(Eye::Left, card::SIZE), state.appearance(false));
     let drawing = ReferencePicture { view, appearance, samples: REFERENCE_SAMPLES };
     Some(ReferenceSteps::begin(state.document.prepared.clone(), drawing))

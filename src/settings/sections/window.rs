@@ -96,7 +96,7 @@ pub struct WindowSettings {
     #[arg(long, value_parser = switch, value_name = "on|off", num_args = 0..=1, default_missing_value = "on")]
     pub vignette: OnOff,
     /// The picture of the start page moves, pictures fade from one preset or layout to the next, and parts of
-    /// the window move. In a page nothing does where the system asks for less motion.
+    /// the window move. Nothing does where the system asks for less motion.
     #[arg(long, value_parser = switch, value_name = "on|off")]
     pub animations: OnOff,
     /// Units of lengths and times in the window and in saved plots. Data, states, flags and the records in

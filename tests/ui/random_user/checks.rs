@@ -60,7 +60,7 @@ fn shape(drawn: &Shape) {
 
 fn state(state: &State, checked: &mut Option<Settings>) {
     assert!(state.document.time.is_finite(), "T = {}", state.document.time);
-    for view in state.document.settings.views(state.subject(), state.document.time, state.frame.picture_size)
+    for view in state.document.settings.views(state.subject(), state.document.time, state.frame.picture.size)
     {
         let camera = view.camera;
         let direction = camera.line_of_sight([0.0, 0.0]);

@@ -95,9 +95,9 @@ impl Chooser {
         };
         self.folder = Some(folder);
         self.size = Size(match self.purpose {
-            Some(Purpose::Save(Product::Film)) => within(FILM_WIDTH, state.frame.picture_size),
-            Some(Purpose::Save(Product::TenSeconds)) => within(SLIDE_WIDTH, state.frame.picture_size),
-            _ => state.frame.picture_size,
+            Some(Purpose::Save(Product::Film)) => within(FILM_WIDTH, state.frame.picture.size),
+            Some(Purpose::Save(Product::TenSeconds)) => within(SLIDE_WIDTH, state.frame.picture.size),
+            _ => state.frame.picture.size,
         })
         .to_string();
         self.wants_focus = true;

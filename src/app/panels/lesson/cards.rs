@@ -2,8 +2,8 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Align2, Color32, FontId, Frame, Layout, Margin, Rect, Response, RichText, Sense, Stroke,
-    StrokeKind, TextStyle, Ui, UiBuilder, WidgetInfo, vec2,
+    Align, Align2, Color32, Frame, Layout, Margin, Rect, Response, RichText, Sense, Stroke, StrokeKind,
+    TextStyle, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
 use crate::app::commands::choice_keys::letter_of;
@@ -159,7 +159,7 @@ fn paint(ui: &Ui, sign: Sign, centre: eframe::egui::Pos2, radius: f32) {
             let (corner, edge) = (0.3 * radius, visuals.weak_text_color());
             painter.rect_filled(cap.translate(vec2(0.0, 0.16 * radius)), corner, edge);
             painter.rect(cap, corner, fill, Stroke::new(1.0, edge), StrokeKind::Inside);
-            let font = FontId::proportional(1.3 * radius);
+            let font = TextStyle::Small.resolve(ui.style());
             painter.text(centre, Align2::CENTER_CENTER, letter_of(number), font, ink);
         }
         Sign::Ring(is_chosen) => {

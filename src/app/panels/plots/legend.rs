@@ -19,8 +19,9 @@ pub(super) const SAMPLE: f32 = 18.0;
 pub(super) const SPACE: f32 = 4.0;
 /// Room around the names, and between columns of them; points.
 const PADDING: f32 = 4.0;
-/// A legend lower than this part of the plot is low enough.
+/// A legend lower than this part of the plot is low enough, and one higher than the other part would hide it.
 const LOW: f32 = 0.45;
+const HIGH: f32 = 0.7;
 /// Opacity of its background.
 const OPACITY: f32 = 0.8;
 
@@ -230,7 +231,9 @@ fn block(ui: &Ui, chart: &TimePlot<'_>, room: Vec2) -> Option<LegendBlock> {
     let blocks = || {
         let blocks =
             ways.into_iter().map(|(detail, columns)| LegendBlock::new(ui, rows(ui, chart, detail), columns));
-        blocks.filter(|block| !block.rows.is_empty() && block.size().x < room.x && block.size().y < room.y)
+        blocks.filter(|block| {
+            !block.rows.is_empty() && block.size().x < room.x && block.size().y < HIGH * room.y
+        })
     };
     blocks().find(|block| block.size().y < LOW * room.y).or_else(|| blocks().next())
 }

@@ -21,7 +21,7 @@ use crate::lesson::Library;
 use crate::settings::Preset;
 
 /// Height of the picture as a share of the page's, and the least, points.
-const SHARE: f32 = 0.56;
+const SHARE: f32 = 0.53;
 const LOWEST: f32 = 220.0;
 /// Size of the heading as a share of the page's width, and its bounds, points.
 const HEADING: f32 = 0.04;

@@ -11,7 +11,7 @@ use crate::app::tools::awake;
 use crate::app::views::instruments;
 use crate::app::views::laid_ruler;
 use crate::app::views::offscreen_arrows;
-use crate::app::views::panes::{EyePane, PaneTitle};
+use crate::app::views::panes::EyePane;
 use crate::app::views::predicted_place;
 use crate::app::views::slide;
 
@@ -20,7 +20,7 @@ use crate::app::views::slide;
 pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
     slide::paint_resting(ui, &inside, state, pane);
-    let is_before_audience = pane.title != PaneTitle::Above;
+    let is_before_audience = !pane.is_in_window();
     let marks_points = !is_before_audience || state.has_markers_for_audience();
     let marked = if marks_points { marked(state, pane) } else { Vec::new() };
     let instruments = instruments::show(ui, &inside, state, pane, &marked);

@@ -40,7 +40,7 @@ pub struct Painted {
 pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painted) {
     let Painted { picture, heat_map } = painted;
     let colour = theme::eye_colour(pane.eye, ui.visuals());
-    if pane.title == PaneTitle::Above {
+    if pane.is_in_window() {
         pane_title(ui, pane.rect, title, colour);
     }
     slide::paint_band(ui, state, pane, title, colour);
@@ -50,7 +50,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, title: &str, painted: Painte
     }
     state.scratch.comfort.paint(ui.painter(), pane.rect);
     let inside = ui.painter().with_clip_rect(pane.rect);
-    if pane.title == PaneTitle::Above || state.has_markers_for_audience() {
+    if pane.is_in_window() || state.has_markers_for_audience() {
         for coat in [Coat::Halo, Coat::Ring] {
             markers(ui, &inside, state, pane, coat);
         }
@@ -89,7 +89,7 @@ pub fn paint_both(
     let rect = panes.iter().map(|pane| pane.rect).reduce(Rect::union).unwrap_or(Rect::NOTHING);
     let title = layouts::title(&state.document.settings.picture);
     let place = panes.first().map_or(PaneTitle::Nowhere, |pane| pane.title);
-    if place == PaneTitle::Above {
+    if place.is_in_window() {
         pane_title(ui, rect, &title, colour);
     }
     ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
@@ -103,7 +103,7 @@ pub fn paint_both(
         state.scratch.comfort.paint(ui.painter(), pane.rect);
     }
     // All halos first: markers that the eyes see in one place would hide each other.
-    let has_markers = place == PaneTitle::Above || state.has_markers_for_audience();
+    let has_markers = place.is_in_window() || state.has_markers_for_audience();
     for coat in [Coat::Halo, Coat::Ring].into_iter().filter(|_| has_markers) {
         for &pane in panes {
             markers(ui, &ui.painter().with_clip_rect(pane.rect), state, pane, coat);

@@ -3,6 +3,7 @@
 use eframe::egui::Ui;
 use relativity_render::{Camera, Colour, Geometry, Method, Projection, StreetColours};
 
+use crate::app::panels::BETWEEN_NOTES;
 use crate::app::state::State;
 use crate::app::views::eyes::ShownPicture;
 use crate::app::views::panes::EyePane;
@@ -14,7 +15,7 @@ use crate::settings::LightSettings;
 /// Returns a note on the picture, where it is not what an eye would see, drawn exactly.
 pub fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_map: bool) -> String {
     let [geometry, model, colour, street] = notes_on_light(state, eye);
-    let projection = projection_note(&state.view(eye, state.frame.picture_size).camera);
+    let projection = projection_note(&state.view(eye, state.frame.picture.size).camera);
     let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
     joined([readiness(state), geometry, model, projection, colour, street, method, heat_map])
@@ -32,7 +33,7 @@ fn readiness(state: &State) -> Option<String> {
 }
 
 fn joined(notes: impl IntoIterator<Item = Option<String>>) -> String {
-    notes.into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
+    notes.into_iter().flatten().collect::<Vec<_>>().join(BETWEEN_NOTES)
 }
 
 /// Notes on the geometry, the model, the bodies' light and the street's, where they are not what an eye would
@@ -93,7 +94,7 @@ const NOTICEABLE_STRETCH: f64 = 1.15;
 
 /// Returns the method that has drawn the picture, where that was set or is further off than can be seen.
 fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
-    let view = state.view(eye, state.frame.picture_size);
+    let view = state.view(eye, state.frame.picture.size);
     let Some(set) = state.document.settings.quality.method() else {
         let choice = state.choice(view.geometry)?;
         return (choice.error_px > UNSEEN_PX || !choice.holds).then(|| format!("automatic: {choice}"));

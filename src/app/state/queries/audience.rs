@@ -9,10 +9,15 @@ impl State {
     /// apart.
     #[must_use]
     pub fn has_both_eyes(&self) -> bool {
-        let (settings, stage) = (&self.document.settings, &self.session.stage);
-        let is_one_left_out =
-            stage.is_presented() && !stage.audience.both_eyes && settings.picture.layout.shows_two_apart();
+        let settings = &self.document.settings;
+        let is_one_left_out = self.may_leave_an_eye_out() && !self.session.stage.audience.both_eyes;
         settings.picture.layout.has_both() && (!is_one_left_out || settings.is_comparing())
+    }
+
+    /// Whether the layout stays where one eye is left out: before an audience, of two pictures apart.
+    #[must_use]
+    pub fn may_leave_an_eye_out(&self) -> bool {
+        self.session.stage.is_presented() && self.document.settings.picture.layout.shows_two_apart()
     }
 
     /// Returns the panel beside the picture for an audience now.
@@ -58,18 +63,28 @@ impl State {
 
     /// The panel of the plots' tab.
     fn plot_panel(&self) -> SidePanel {
-        let is_fit = self.document.settings.plots.plot == PlotTab::Fit && self.sketched().is_none();
-        if is_fit { SidePanel::Fit } else { SidePanel::Plot }
+        if self.sketched().is_some() {
+            SidePanel::Plot
+        } else {
+            panel_of_tab(self.document.settings.plots.plot)
+        }
     }
 }
 
 /// Returns the panel that a lesson with these settings has beside the picture.
 fn panel_of(window: &WindowSettings, plots: PlotSettings) -> SidePanel {
-    match (window.map, window.plots, plots.plot) {
-        (Presence::On, ..) => SidePanel::Map,
-        (_, true, PlotTab::Fit) => SidePanel::Fit,
-        (_, true, _) => SidePanel::Plot,
-        (_, false, _) => SidePanel::Nothing,
+    match (window.map, window.plots) {
+        (Presence::On, _) => SidePanel::Map,
+        (_, true) => panel_of_tab(plots.plot),
+        (_, false) => SidePanel::Nothing,
+    }
+}
+
+/// Returns the panel that shows this `tab` of the plots.
+const fn panel_of_tab(tab: PlotTab) -> SidePanel {
+    match tab {
+        PlotTab::Fit => SidePanel::Fit,
+        _ => SidePanel::Plot,
     }
 }
 

@@ -6,24 +6,24 @@ use relativity_render::Outline;
 
 use crate::app::state::State;
 use crate::app::state::document::Document;
-use crate::app::state::frame::{Frame, Looked};
+use crate::app::state::frame::Looked;
 use crate::app::state::shared::Shared;
-use crate::settings::{LookSettings, Settings};
+use crate::settings::{Canvas, LookSettings, Settings};
 
 impl State {
     /// Works out how the eyes look in this frame, unless that is known: questions about views then cost
     /// little.
     pub(in crate::app) fn note_looks(&mut self) {
-        let (document, size, keeps_height) =
-            (&self.document, self.frame.picture_size, self.frame.keeps_height);
-        if self.frame.looks[0].as_ref().is_some_and(|first| first.is_of(document, size, keeps_height)) {
+        let (document, canvas) = (&self.document, self.frame.picture);
+        if self.frame.looks[0].as_ref().is_some_and(|first| first.is_of(document, canvas)) {
             return;
         }
-        let first = Looked::new(document, &document.settings, size, keeps_height);
-        let second = document.settings.second_of(self.subject(), &document.scene, document.time, size);
+        let first = Looked::new(document, &document.settings, canvas);
+        let second = document.settings.second_of(self.subject(), &document.scene, document.time, canvas.size);
         // Its field of view is the first's, which may fit the size already.
-        let is_set = document.settings.look.set_fov().is_some();
-        let second = second.map(|second| Looked::new(document, &second.into(), size, keeps_height && is_set));
+        let keeps_height = canvas.keeps_height && document.settings.look.set_fov().is_some();
+        let canvas = Canvas { keeps_height, ..canvas };
+        let second = second.map(|second| Looked::new(document, &second.into(), canvas));
         self.frame.looks = [Some(first), second];
     }
 
@@ -39,8 +39,7 @@ impl State {
     pub fn look(&self) -> LookSettings {
         let known = self.frame.looked(&self.document).map(|looked| looked.look);
         let Document { settings, time, .. } = &self.document;
-        let Frame { picture_size, keeps_height, .. } = self.frame;
-        known.unwrap_or_else(|| settings.shown_look(self.subject(), *time, picture_size, keeps_height))
+        known.unwrap_or_else(|| settings.shown_look(self.subject(), *time, self.frame.picture))
     }
 
     /// The outline of all that moves, in both eyes together.
@@ -54,13 +53,13 @@ impl State {
     /// The settings of the second of two pictures of one eye; `None` where there is no second.
     #[must_use]
     pub(in crate::app) fn second_settings(&self) -> Option<Shared<Settings>> {
-        let (document, size) = (&self.document, self.frame.picture_size);
+        let (document, canvas) = (&self.document, self.frame.picture);
         if let [Some(first), second] = &self.frame.looks
-            && first.is_of(document, size, self.frame.keeps_height)
+            && first.is_of(document, canvas)
         {
             return second.as_ref().map(|second| second.settings.clone());
         }
-        let second = document.settings.second_of(self.subject(), &document.scene, document.time, size);
+        let second = document.settings.second_of(self.subject(), &document.scene, document.time, canvas.size);
         second.map(Shared::from)
     }
 }

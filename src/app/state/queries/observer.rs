@@ -231,14 +231,14 @@ impl State {
     /// Returns the comfort of the views for eyes `separation` apart; `None` where they show no body.
     #[must_use]
     pub fn comfort(&self, separation: f64) -> Option<Comfort> {
-        let (Document { settings, scene, .. }, Frame { picture_size, cm_per_pixel, .. }) =
+        let (Document { settings, scene, .. }, Frame { picture, cm_per_pixel, .. }) =
             (&self.document, &self.frame);
         let views = if separation == settings.motion.d {
-            Eye::BOTH.map(|eye| self.view(eye, *picture_size))
+            Eye::BOTH.map(|eye| self.view(eye, picture.size))
         } else {
             let mut settings = Settings::clone(settings);
             settings.motion.d = separation;
-            self.views_of(&settings, *picture_size)
+            self.views_of(&settings, picture.size)
         };
         Comfort::new(scene, &views, settings.screen.viewing_distance / cm_per_pixel)
     }
@@ -246,8 +246,7 @@ impl State {
     /// The views that other `settings` would show now.
     fn views_of(&self, settings: &Settings, size: [u32; 2]) -> [View; 2] {
         let time = self.document.time;
-        let Frame { picture_size, keeps_height, .. } = self.frame;
-        let look = settings.shown_look(self.subject(), time, picture_size, keeps_height);
+        let look = settings.shown_look(self.subject(), time, self.frame.picture);
         settings.views_with(&look, time, size)
     }
 

@@ -1,10 +1,10 @@
-//! The rider, and the range of a ride that is under way.
+//! The rider, the words about a ride, and the range of one that is under way.
 
 use relativity_core::math;
 
 use crate::app::state::State;
 use crate::flags::MAX_TIME;
-use crate::settings::Rider;
+use crate::settings::{Preset, Rider};
 
 /// The shortest range of a ride that is under way, and the number of steps in which it doubles.
 const SHORTEST_RANGE: f64 = 8.0;
@@ -15,6 +15,17 @@ impl State {
     #[must_use]
     pub fn rider(&self) -> Rider {
         self.document.settings.rider(self.document.time)
+    }
+
+    /// Returns the preset that is shown, as long as its words are about that: not where own data are, and not
+    /// of a passage once somebody rides.
+    #[must_use]
+    pub fn told_preset(&self) -> Option<&'static Preset> {
+        let is_told = |preset: &&Preset| {
+            let rides = [&preset.settings, &*self.document.settings].map(|settings| settings.ride.is_on());
+            rides[0] == rides[1] && self.session.data.is_none()
+        };
+        self.document.preset.filter(is_told)
     }
 
     /// The range of the ride that is under way, which grows with it in steps: a plot over it is not stretched

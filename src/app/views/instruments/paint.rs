@@ -75,6 +75,8 @@ pub struct Shown {
     pub places: Vec<Rect>,
     /// Odometers, place and keys, as far as they are shown; a line each.
     lines: Vec<String>,
+    /// The place alone, for a picture that has no room for all lines.
+    place: String,
     /// Opacity of these, 0 to 1.
     opacity: f32,
     /// Size of the labels, points.
@@ -118,7 +120,14 @@ pub fn show(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, free: &[Re
     let has_keys = fresh > 0.0 && !(is_asked && height < LOWEST_WITH_KEYS);
     let keys = instruments.keys.iter().map(|line| (*line).to_owned()).filter(|_| has_keys);
     let way = instruments.way.into_iter().filter(|_| is_asked || fresh > 0.0);
-    Shown { lines: way.chain(keys).collect(), opacity: if is_asked { 1.0 } else { fresh }, ..shown }
+    let way: Vec<_> = way.collect();
+    let place = way.last().cloned().unwrap_or_default();
+    Shown {
+        lines: way.into_iter().chain(keys).collect(),
+        place,
+        opacity: if is_asked { 1.0 } else { fresh },
+        ..shown
+    }
 }
 
 /// Has assistive technology and a pointer find the instruments; returns whether the pointer is on them.
@@ -164,15 +173,23 @@ impl Shown {
         let colour = Color32::WHITE.gamma_multiply(self.opacity);
         let padding = self.label * PADDING;
         let room = picture.shrink(6.0);
-        let width = (room.width() - 2.0 * padding.x).max(1.0);
-        let galley = painter.layout(self.lines.join("\n"), FontId::proportional(self.label), colour, width);
-        let size = galley.size() + 2.0 * padding;
+        let laid = |text: &str, width: f32| {
+            let width = (width - 2.0 * padding.x).max(1.0);
+            painter.layout(text.to_owned(), FontId::proportional(self.label), colour, width)
+        };
         let is_free = |place: &Rect| {
             let covers = |part: &Rect| part.is_positive() && part.expand(padding.y).intersects(*place);
             picture.contains_rect(*place) && !taken.iter().any(covers)
         };
-        let mut places = CORNERS.iter().map(|corner| corner.align_size_within_rect(size, room));
-        let place = places.find(is_free)?;
+        // In a narrow picture broken lines leave room beside them.
+        let (all, whole) = (self.lines.join("\n"), room.width());
+        let ways = [(&all, whole), (&all, 0.5 * whole), (&self.place, whole)];
+        let mut places = ways.into_iter().flat_map(|(text, width)| {
+            let galley = laid(text, width);
+            let size = galley.size() + 2.0 * padding;
+            CORNERS.map(|corner| (corner.align_size_within_rect(size, room), Arc::clone(&galley)))
+        });
+        let (place, galley) = places.find(|(place, _)| is_free(place))?;
         painter.rect_filled(place, padding.x, Color32::from_black_alpha(BACK).gamma_multiply(self.opacity));
         painter.galley(place.min + padding, galley, colour);
         Some(place)

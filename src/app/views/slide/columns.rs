@@ -3,7 +3,7 @@
 use eframe::egui::Rect;
 
 use super::sliding_view::{SlidingView, points_per_px};
-use crate::app::views::panes::{EyePane, PaneTitle};
+use crate::app::views::panes::EyePane;
 
 /// Shares of the band's height that the spectrum has, the ticks having the rest: in the window, where Doppler
 /// factors are named in it, and before an audience.
@@ -38,7 +38,7 @@ impl PixelColumns {
     /// The places of the spectrum and of the ticks in the band of `pane`.
     pub fn parts(pane: EyePane) -> [Rect; 2] {
         let band = pane.band_rect();
-        let is_in_window = pane.title == PaneTitle::Above;
+        let is_in_window = pane.is_in_window();
         let share = if is_in_window { SPECTRUM_SHARE } else { SPECTRUM_SHARE_FOR_AUDIENCE };
         let middle = band.min.y + share * band.height();
         let top = (band.min.y + FRAME).min(middle);

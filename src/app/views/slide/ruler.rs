@@ -10,7 +10,7 @@ use super::columns::PixelColumns;
 use super::sliding_view::SlidingView;
 use super::spectrum;
 use crate::app::state::State;
-use crate::app::views::panes::{EyePane, PaneTitle};
+use crate::app::views::panes::EyePane;
 use crate::app::widgets::theme;
 use crate::flags::choices::Form;
 use crate::number_text;
@@ -54,7 +54,7 @@ pub fn paint(
     let band = columns.strip.union(columns.ticks);
     let painter = ui.painter().with_clip_rect(band);
     // A lesson measures by speeds, and so does whoever has the controls.
-    let is_in_window = pane.title == PaneTitle::Above;
+    let is_in_window = pane.is_in_window();
     let has_speeds = is_in_window || state.session.lesson.is_some();
     let has_colours = spectrum::paint(&painter, state, slide, columns, is_in_window);
     let mut labels = LabelPlaces::new(columns.ticks.expand2(vec2(0.0, columns.ticks.height())), BETWEEN);

@@ -2,7 +2,9 @@
 //!
 //! D = cosh u/cosh(u + eta) depends on the column alone.
 
-use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, pos2, vec2};
+use std::sync::Arc;
+
+use eframe::egui::{Align2, Color32, FontId, Galley, Painter, Rect, Stroke, pos2, vec2};
 use relativity_core::math::{atanh, cosh, ln, sinh, tanh};
 use relativity_core::{Speed, aberration};
 use relativity_render::colour::spectrum::VISIBLE_NM;
@@ -177,11 +179,18 @@ pub fn paint_tick(painter: &Painter, strip: Rect, x: f32) {
     }
 }
 
+/// Writes a Doppler factor at `place`, on a ground that sets it off from colours of any brightness.
+fn write_factor(painter: &Painter, place: Rect, galley: Arc<Galley>) {
+    painter.rect_filled(place, 2.0, Color32::from_black_alpha(150));
+    painter.galley(place.min, galley, Color32::WHITE);
+}
+
 fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: &Speed) {
     let font = FontId::proportional(columns.scale * theme::SMALL_SIZE);
     if speed.beta() == 0.0 {
-        painter.text(strip.center(), Align2::CENTER_CENTER, "D = 1 everywhere", font, Color32::WHITE);
-        return;
+        let galley = painter.layout_no_wrap("D = 1 everywhere".to_owned(), font, Color32::WHITE);
+        let place = Align2::CENTER_CENTER.anchor_size(strip.center(), galley.size());
+        return write_factor(painter, place, galley);
     }
     let mut labels = LabelPlaces::new(strip.expand2(vec2(0.0, strip.height())), BETWEEN);
     for (factor, u) in named_factors(speed) {
@@ -190,8 +199,7 @@ fn paint_factors(painter: &Painter, columns: &PixelColumns, strip: Rect, speed: 
         let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
         if labels.take_free([place]).is_some() {
             paint_tick(painter, strip, x);
-            painter.rect_filled(place, 2.0, Color32::from_black_alpha(150));
-            painter.galley(place.min, galley, Color32::WHITE);
+            write_factor(painter, place, galley);
         }
     }
 }

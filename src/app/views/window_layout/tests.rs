@@ -15,6 +15,7 @@ fn the_smallest_supported_window_holds_every_part_but_the_wavelengths() {
     let layout = layout(800.0, 600.0);
     assert_eq!(layout.panes.len(), 2);
     assert!(layout.spectrum.is_none() && layout.sentence.is_some());
+    // Pictures of nearly 4:3; what is left of the height goes to the plots, which have to be read.
     for pane in &layout.panes {
         assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 165.0, "{pane:?}");
     }
@@ -45,7 +46,8 @@ fn pictures_have_half_of_the_height_with_few_controls_and_with_all() {
         let (few, below) = shares(size, WindowSettings::default().with_few(true));
         assert!(few >= 0.5 && below >= plots, "{size:?}: {few} {below}");
         let (all, below) = shares(size, WindowSettings::default());
-        // Two rows of tabs and a plot below them leave less in a low window.
+        // Who has asked for all controls in a low window reads plots: two rows of tabs and a plot of 75
+        // points below them leave a quarter to the pictures.
         let least = if size[1] < 700.0 { 0.25 } else { 0.5 };
         assert!(all >= least && below >= 140.0, "{size:?}: {all} {below}");
     }
@@ -183,7 +185,8 @@ fn a_phone_has_views_then_speed_then_time_then_its_lesson() {
         let lesson = layout.lesson.expect("shown");
         assert_eq!((lesson.width(), lesson.max.y), (360.0, 740.0));
         assert!(lesson.height() >= 300.0, "{lesson:?}");
-        // Plots that a lesson switches on are what it asks about: the pictures give way to them.
+        // Plots that a lesson switches on are what it asks about: the pictures give way to them, and show
+        // all that they show without at about half the height.
         assert_eq!((layout.panes.len(), layout.plots.is_some()), (2, plots));
         let least = if plots { 0.35 } else { 0.75 };
         for pane in &layout.panes {

@@ -128,7 +128,7 @@ fn fields_of_view(on: &SheetPainter<'_>) {
         return;
     }
     for (eye, at) in Eye::BOTH.into_iter().zip(instant.eyes()) {
-        let camera = state.view(eye, state.frame.picture_size).camera;
+        let camera = state.view(eye, state.frame.picture.size).camera;
         let Some(edges) = field_of_view(&camera, sheet.projection) else { continue };
         let eye_place = sheet.on_screen(at);
         let reach =
