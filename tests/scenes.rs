@@ -45,6 +45,8 @@ fn every_scene_file_is_a_preset_and_loads_as_one() {
         }
         let name = path.file_stem().expect("it has a name").to_string_lossy().into_owned();
         let loaded = Scene::load(&path).unwrap_or_else(|error| panic!("{error}"));
+        // A preset reports on no models.
+        let loaded = Scene { models: Vec::new(), ..loaded };
         assert_eq!(Some(loaded), Scene::preset(&name), "{name}");
         names.push(name);
     }

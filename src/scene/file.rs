@@ -196,7 +196,10 @@ fn included(include: &Table, label: &Rc<str>, changes: Changes) -> Result<Vec<Ob
         .map(|wheels| Changes::from_table(&wheels))
         .transpose()?;
     let changes = changes.or(own.unwrap_or_default());
-    let read = || changed_preset(name, changes);
+    let read = || {
+        let Scene { bodies, names, .. } = changed_preset(name, changes)?;
+        Some(bodies.into_iter().zip(names).collect())
+    };
     let Some(preset) = include.models.opened.preset(format!("{name} {changes:?}"), read) else {
         return Err(include.problem_at("scene", SceneProblem::UnknownInclude));
     };
@@ -204,14 +207,13 @@ fn included(include: &Table, label: &Rc<str>, changes: Changes) -> Result<Vec<Ob
         return Err(include.problem_at("wheels", |_| SceneProblem::NoWheels(name.to_owned())));
     }
     let offset = include.point("offset")?.unwrap_or_default();
-    let objects = preset.bodies.iter().zip(&preset.names);
-    let moved = |(body, name): (&Body, &String)| Object {
+    let moved = |(body, name): &(Body, String)| Object {
         body: body.clone().moved(offset),
         name: Some(name.clone()),
         include: Some(label.clone()),
         span: include.span.clone(),
     };
-    Ok(objects.map(moved).collect())
+    Ok(preset.iter().map(moved).collect())
 }
 
 /// Returns an object, and its repetitions if it has such a table, a step from each to the next, with numbers

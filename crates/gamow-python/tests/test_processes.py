@@ -16,7 +16,7 @@ SMALL = {"renderer": "reference", "samples": 1, "size": "16x12"}
 def work(seed):
     beta = numpy.full(100_000, 0.5)
     dphi = gamow.disparity(beta=beta, d=0.1, y=3, z=2, T=seed)["dphi"]
-    return dphi[0], gamow.render("cyclist", **SMALL).sum()
+    return dphi[0], gamow.render("street", **SMALL).sum()
 
 if __name__ == "__main__":
     # The parent has its threads before the fork.

@@ -94,7 +94,7 @@ impl Form<'_> {
         let no_wheel = |reason: String| {
             table.problem_at("wheels", |value| SceneProblem::ModelWheel { value, reason: one_line(&reason) })
         };
-        let named = table.models.open(self.path).map_err(refused)?;
+        let named = table.models.open(self.path, read).map_err(refused)?;
         table.models.take_triangles(named.model.triangles.len()).map_err(refused)?;
         let split = named.split(&self.wheels).map_err(no_wheel)?;
         drop(named);

@@ -11,10 +11,12 @@ use super::files::ModelFiles;
 use super::limits::Room;
 use super::parts::NamedModel;
 use super::report::ModelReport;
-use crate::scene::Scene;
 
 /// The bodies of a model, with the names of those that are wheels.
 pub(super) type ModelBodies = Rc<[(Option<String>, Body)]>;
+
+/// The bodies of a preset with their names, as other scenes include them.
+pub(in crate::scene) type PresetBodies = Rc<[(Body, String)]>;
 
 /// The models of a scene that is being read.
 #[derive(Clone, Copy)]
@@ -31,19 +33,19 @@ pub(in crate::scene) struct Opened {
     /// By the models' forms.
     bodies: RefCell<HashMap<String, ModelBodies>>,
     /// By their names, and the changes to their wheels.
-    presets: RefCell<HashMap<String, Rc<Scene>>>,
+    presets: RefCell<HashMap<String, PresetBodies>>,
     reports: RefCell<Vec<ModelReport>>,
     room: Room,
 }
 
 impl Opened {
-    /// Returns the preset that is called `key` here, which `read` returns unless it is known.
-    pub fn preset(&self, key: String, read: impl FnOnce() -> Option<Scene>) -> Option<Rc<Scene>> {
+    /// Returns the bodies of the preset that is called `key` here, which `read` returns unless it is known.
+    pub fn preset(&self, key: String, read: impl FnOnce() -> Option<PresetBodies>) -> Option<PresetBodies> {
         let known = self.presets.borrow().get(&key).cloned();
         known.or_else(|| {
-            let scene = Rc::new(read()?);
-            self.presets.borrow_mut().insert(key, scene.clone());
-            Some(scene)
+            let bodies = read()?;
+            self.presets.borrow_mut().insert(key, bodies.clone());
+            Some(bodies)
         })
     }
 
@@ -54,12 +56,16 @@ impl Opened {
 }
 
 impl Models<'_> {
-    /// Returns the model in the file at `path`.
-    pub(super) fn open(&self, path: &str) -> Result<Rc<NamedModel>, String> {
+    /// Returns the model in the file at `path`, which `read` returns with remarks unless it is known.
+    pub(super) fn open(
+        &self,
+        path: &str,
+        read: impl FnOnce(&ModelFiles<'_>, &str, &Room) -> Result<(NamedModel, Vec<String>), String>,
+    ) -> Result<Rc<NamedModel>, String> {
         if let Some(model) = self.opened.models.borrow().get(path) {
             return Ok(model.clone());
         }
-        let (named, remarks) = super::read(&self.files, path, &self.opened.room)?;
+        let (named, remarks) = read(&self.files, path, &self.opened.room)?;
         if !matches!(self.files, ModelFiles::Preset) {
             self.opened.reports.borrow_mut().push(ModelReport::new(path, &named, remarks));
         }

@@ -19,9 +19,8 @@ pub(super) const SAMPLE: f32 = 18.0;
 pub(super) const SPACE: f32 = 4.0;
 /// Room around the names, and between columns of them; points.
 const PADDING: f32 = 4.0;
-/// A legend lower than this part of the plot is low enough, and one higher than the other part would hide it.
+/// A legend lower than this part of the plot is low enough.
 const LOW: f32 = 0.45;
-const HIGH: f32 = 0.7;
 /// Opacity of its background.
 const OPACITY: f32 = 0.8;
 
@@ -215,7 +214,7 @@ fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &LegendBlock, la
     shown.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
 }
 
-/// The first that is low enough, else the first that fits at all, from the most telling to the shortest.
+/// The first that is low enough, from the most telling to the shortest, else the lowest that fits at all.
 fn block(ui: &Ui, chart: &TimePlot<'_>, room: Vec2) -> Option<LegendBlock> {
     let ways = [
         (Detail::Full, 1),
@@ -231,9 +230,8 @@ fn block(ui: &Ui, chart: &TimePlot<'_>, room: Vec2) -> Option<LegendBlock> {
     let blocks = || {
         let blocks =
             ways.into_iter().map(|(detail, columns)| LegendBlock::new(ui, rows(ui, chart, detail), columns));
-        blocks.filter(|block| {
-            !block.rows.is_empty() && block.size().x < room.x && block.size().y < HIGH * room.y
-        })
+        blocks.filter(|block| !block.rows.is_empty() && block.size().x < room.x && block.size().y < room.y)
     };
-    blocks().find(|block| block.size().y < LOW * room.y).or_else(|| blocks().next())
+    let lowest = || blocks().min_by(|a, b| a.size().y.total_cmp(&b.size().y));
+    blocks().find(|block| block.size().y < LOW * room.y).or_else(lowest)
 }
