@@ -3,8 +3,9 @@
 //! Light of the Doppler factor D (received over emitted frequency) has the radiance `D^5 L(lambda D)` per
 //! wavelength. Paint of the reflectance R in daylight E sends `R E / pi`, so its tristimulus values are those
 //! of `D^5 E(lambda D) R(lambda D)`. They are balanced to D65 for white paint at rest (Bradford), once for
-//! all D. Here they stand beside the *level* of white paint at the same D, its brightest primary: so
-//! colours are contrasts with white, and the level is how bright light has become.
+//! all D. Here they stand beside the *level* of white paint at the same D, its brightest primary, or 1/8192
+//! of that at rest where sunlight has all but ended: so colours are contrasts with white, and the level is
+//! how bright light has become.
 //!
 //! # Paint in light that is shifted otherwise
 //!
@@ -41,6 +42,9 @@ const AT_REST: usize = 384;
 pub const PAINTS: usize = 4 + Material::COUNT;
 /// The row of white paint.
 pub const WHITE: usize = 3;
+/// log2 of the least level, beside that at rest: 13 stops are what a good camera has in one picture. Where
+/// daylight is fainter, white is dark beside it.
+const LEAST_LEVEL: f64 = -13.0;
 /// Samples of a spectrum in each cell of wavelengths.
 const SAMPLES: u32 = 8;
 /// The Bradford transform: to responses of cones that adapt on their own.
@@ -119,7 +123,7 @@ impl SunlitTable {
             .map(|entry| {
                 let linear = linear(cells.stimulus(light(entry).iter().copied()));
                 let largest = on_screen(linear).into_iter().fold(0.0, f64::max);
-                largest.max(f64::MIN_POSITIVE)
+                largest.max(exp2(LEAST_LEVEL) / power(entry))
             })
             .collect();
         let mut reflectances: Vec<_> = paints()
