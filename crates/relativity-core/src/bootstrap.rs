@@ -107,8 +107,8 @@ impl Bootstrap {
     }
 
     /// The interval of `parameter` that holds 95 %: the percentiles of the replicates say how it lies about
-    /// the best fit, and a standard error with its degrees of freedom how wide it is at least (see
-    /// [`half_widths`]). Where z is at its limit 0, so is the lower end; the upper one never is.
+    /// the best fit, and a standard error with its degrees of freedom how wide it is at least. Where z is at
+    /// its limit 0, so is the lower end; the upper one never is.
     #[must_use]
     pub fn interval_95(&self, parameter: Parameter) -> [f64; 2] {
         let Some(center) = &self.center else { return percentiles_95(self.values(parameter)) };
