@@ -10,9 +10,9 @@ use gamow_platform::{clock, messages, progress};
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitError, FitOptions, Model, Passage};
 
 use crate::estimate::FitReport;
-use crate::estimate::cause;
 use crate::estimate::correction::Correction;
 use crate::estimate::data::{Data, Eyes, SEPARATION, is_separation};
+use crate::estimate::{cause, outliers};
 use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
 use crate::flags::{COORDINATES, HeadArgs, WheelArgs, finite_number, within};
@@ -153,10 +153,7 @@ impl FitArgs {
         match fitted {
             Ok(mut report) => {
                 if self.correction.shift_dtheta.is_none() {
-                    report
-                        .outliers
-                        .iter_mut()
-                        .for_each(|found| found.line = data.lines.get(found.sample).copied());
+                    outliers::name_lines(&mut report.outliers, &data.lines);
                 }
                 let cause = report.warning.is_some().then(|| cause(Some(report.fit.rms))).flatten();
                 Ok(FitReport { riding: self.riding, data: data.treatment, cause, ..report })

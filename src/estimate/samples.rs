@@ -16,7 +16,6 @@ use serde::{Deserialize, Serialize};
 use super::cause;
 use super::command::command;
 use super::data::{AssumedUnits, Data, Eyes};
-use super::outliers::Outlier;
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::CsvWriter;
 use crate::scene::{Scene, Track};
@@ -236,13 +235,6 @@ impl Fittable {
     pub fn command(&self, file: &str) -> String {
         command(file, &self.options)
     }
-
-    /// Names the lines of readings that stand out, if they are of a file.
-    pub fn name_lines(&self, outliers: &mut [Outlier]) {
-        for found in outliers {
-            found.line = self.lines.get(found.sample).copied();
-        }
-    }
 }
 
 impl FitKey {
@@ -273,8 +265,8 @@ impl FitKey {
         }
     }
 
-    /// What explains the `samples` of a file that a fit with this `rms`, radians, does not, and the command
-    /// for it.
+    /// Returns the sentence on what explains the `samples` of a file where a fit with this `rms`, radians,
+    /// does not, with the command that uses it.
     #[must_use]
     pub fn cause(&self, samples: &Fittable, rms: f64) -> Option<String> {
         let Samples::Measured(file, _) = &self.samples else { return None };

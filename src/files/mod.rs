@@ -10,5 +10,6 @@ pub mod jpeg;
 pub mod png;
 pub mod provenance;
 pub mod syntax;
+pub(crate) mod utf16;
 mod watched;
 pub mod whole;

@@ -33,15 +33,11 @@ pub fn convex_hull(mut places: Vec<DVec2>) -> Vec<DVec2> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::tests::random;
 
     #[test]
     fn all_places_lie_to_the_left_of_each_side() {
-        // The generator of Knuth's MMIX.
-        let mut state = 1_u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) as f64 / f64::from(1 << 31)
-        };
+        let mut random = random();
         for count in [0, 1, 2, 3, 4, 50, 3000] {
             let places: Vec<_> = (0..count).map(|_| DVec2::new(random(), random())).collect();
             let hull = convex_hull(places.clone());

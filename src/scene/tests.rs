@@ -7,6 +7,15 @@ use relativity_render::{Body, Emission, Material, Motion, Paint, Pattern, Shape,
 
 use super::{PRESETS, Scene, SceneError};
 
+/// Numbers between 0 and 1, always the same: the generator of Knuth's MMIX.
+pub(super) fn random() -> impl FnMut() -> f64 {
+    let mut state = 1_u64;
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64 / f64::from(1 << 31)
+    }
+}
+
 const EXAMPLE: &str = r#"
 name = "Two balls"
 

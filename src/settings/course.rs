@@ -22,7 +22,7 @@ pub struct Course {
 /// The settings that a ride starts with.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RideStart {
-    /// First speed.
+    /// Speed with which the ride starts.
     pub speed: StreetVelocity,
     /// Place, azimuth and elevation, as they are set.
     pub numbers: [f64; 3],

@@ -58,7 +58,7 @@ fn what_is_wrong_is_found_and_named_with_its_command() {
     assert_explained(&readings(|[time, a, b]| [1e3 * time, a, b]), "--time-unit ms");
 }
 
-/// As angles in radians they are more than a turn.
+/// Taken as radians these angles are more than a turn.
 #[test]
 fn readings_that_are_no_radians_are_refused_with_the_flag_for_their_unit() {
     let csv = readings(|[time, a, b]| [time, 1e3 * a, 1e3 * b]);

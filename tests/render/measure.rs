@@ -282,14 +282,13 @@ fn the_rounding_of_a_renderer_is_in_the_sigmas() {
             // Towards the eyes, on a spiral.
             let (turn, tilt) = (2.4 * f64::from(number), 0.05 * f64::from(number));
             let (sin, cos) = turn.sin_cos();
-            let rest = [
-                0.12 * tilt.sin() * cos,
-                3.0 - 0.12 * (0.83 * tilt.cos() - 0.55 * tilt.sin() * sin),
-                2.0 - 0.12 * (0.55 * tilt.cos() + 0.83 * tilt.sin() * sin),
+            let towards = [
+                tilt.sin() * cos,
+                -(0.83 * tilt.cos() - 0.55 * tilt.sin() * sin),
+                -(0.55 * tilt.cos() + 0.83 * tilt.sin() * sin),
             ];
-            let length = rest.iter().zip([0.0, 3.0, 2.0]).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
-            let centre = [0.0, 3.0, 2.0];
-            let mark = [0, 1, 2].map(|axis| centre[axis] + (rest[axis] - centre[axis]) * 0.12 / length);
+            let length = towards.iter().map(|part| part * part).sum::<f64>().sqrt();
+            let mark = [0, 1, 2].map(|axis| [0.0, 3.0, 2.0][axis] + towards[axis] * 0.12 / length);
             let point = mark.map(|along| along.to_string()).join(",");
             let csv = run_gamow(folder.path(), &format!("measure ride --point={point}"));
             let each = chi_squared_per_sample(&csv, mark);

@@ -22,7 +22,7 @@ use super::support::{cyclist, painted_texts, sweep, window_without_pictures};
 pub const TESTS: &[Test] =
     trials![pictures_are_large_and_free_and_writing_is_high_on_five_screens, what_covers_a_body_is_counted];
 
-/// The screens, points.
+/// Width and height of each screen, points.
 const SCREENS: [[f32; 2]; 5] =
     [[1024.0, 600.0], [1280.0, 800.0], [1366.0, 768.0], [1920.0, 1080.0], [3840.0, 2160.0]];
 /// Least share of the height that the picture has before an audience, and the least size of writing there.
@@ -103,7 +103,7 @@ fn covered_area(window: &Harness<'_, App>, picture: Rect) -> f32 {
 #[derive(Default)]
 struct Table {
     text: String,
-    /// What is not as it should be.
+    /// Rows of the table in which a screen falls short, in words.
     wrong: Vec<String>,
 }
 

@@ -65,7 +65,7 @@ mod desktop {
     mod tests {
         use super::ends_with;
 
-        /// As the three programs write it.
+        /// The answers are as `gsettings`, `defaults` and `reg` write them.
         #[test]
         fn the_answer_is_the_last_word() {
             let registry = "\r\nHKEY_CURRENT_USER\\Control Panel\\Desktop\\WindowMetrics\r\n    MinAnimate    REG_SZ    0\r\n\r\n";

@@ -37,9 +37,12 @@ impl Leg {
     /// Magnitude of the proper acceleration, c per unit of proper time.
     #[must_use]
     pub fn magnitude(&self) -> f64 {
-        let [ahead, left, up] = self.acceleration;
-        math::hypot(ahead, math::hypot(left, up))
+        length(self.acceleration)
     }
+}
+
+fn length([x, y, z]: [f64; 3]) -> f64 {
+    math::hypot(x, math::hypot(y, z))
 }
 
 /// The velocity of a rider. Along the street it is kept as the rapidity, in which pushes add up exactly: who
@@ -144,7 +147,7 @@ impl RideMoment {
     pub fn rapidity(&self) -> f64 {
         match self.velocity {
             RiderVelocity::AlongStreet { rapidity } => rapidity,
-            RiderVelocity::Any { proper: [x, y, z] } => math::asinh(math::hypot(x, math::hypot(y, z))),
+            RiderVelocity::Any { proper } => math::asinh(length(proper)),
         }
     }
 
@@ -180,13 +183,12 @@ impl RideMoment {
     }
 
     fn anywhere(&self, duration: f64, acceleration: [f64; 3]) -> Self {
-        let [ax, ay, az] = acceleration;
-        let alpha = math::hypot(ax, math::hypot(ay, az));
+        let alpha = length(acceleration);
         let gained = alpha * duration;
         let ahead = if alpha > 0.0 { acceleration.map(|part| part / alpha) } else { [1.0, 0.0, 0.0] };
         let n = turned(self.head, ahead);
         let w = self.proper_velocity();
-        let size = math::hypot(w[0], math::hypot(w[1], w[2]));
+        let size = length(w);
         let gamma = math::hypot(1.0, size);
         let along: f64 = (0..3).map(|i| w[i] * n[i]).sum();
 

@@ -114,7 +114,7 @@ struct DataCurve {
 const EYES: [&str; 3] = ["d", ROLL, TURN];
 const CURVES: [[&str; 2]; 2] = [["dphi", "sigma_dphi"], ["dtheta", "sigma_dtheta"]];
 
-/// What a fit cannot use in the file `name`, whose samples stand in these `lines`.
+/// Returns the error for what a fit cannot use in the file `name`, whose samples stand in these `lines`.
 fn unusable(error: FitError, name: &str, lines: &[u64], has_unit: bool) -> anyhow::Error {
     let FitError::Sample { index, quantity, value } = error else {
         return anyhow::Error::from(error).context(name.to_owned());

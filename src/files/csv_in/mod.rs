@@ -8,7 +8,6 @@
 //! row is refused once it is longer than [`sizes::ROW_BYTES`], so that a file takes no more memory than that,
 //! whatever is in it.
 
-mod encoding;
 mod header_line;
 mod names;
 mod tap;
@@ -22,11 +21,11 @@ use csv::ByteRecord;
 use gamow_platform::sizes;
 use gamow_platform::{environment, files};
 
-use self::encoding::Decoded;
 use self::header_line::HeaderLine;
 use self::names::legible;
 use self::tap::Tap;
 use super::csv_out::io_error;
+use super::utf16::Decoded;
 
 pub use self::header_line::COMMENTS;
 pub use self::names::{HeaderError, Names, RowError, text};

@@ -16,8 +16,9 @@ pub struct Needed {
     words: &'static str,
 }
 
-/// Types of numbers.
+/// Types of the components of places and turns, which may be below 0.
 const WHOLE: &[DataType] = &[DataType::I8, DataType::U8, DataType::I16, DataType::U16, DataType::F32];
+/// Types of the components of colours and weights, from 0 to 1.
 const PARTS: &[DataType] = &[DataType::U8, DataType::U16, DataType::F32];
 
 /// The numbers of corners' places.

@@ -1,15 +1,15 @@
-//! The files that a model names, and what is said about those that are missing.
+//! The files beside a model that it names, and the remarks on those that are missing.
 
 use std::cell::{Cell, RefCell};
 
 use gamow_platform::messages;
 use relativity_render::geometry::triangles::MOST_TEXELS;
 
-/// Most remarks that are kept of a model.
+/// Largest number of remarks that are kept of a model.
 const MOST_REMARKS: usize = 20;
-/// Most files that are searched for in other places than those that the model names.
+/// Largest number of files that are searched for in other places than those that the model names.
 const MOST_SEARCHES: u32 = 100;
-/// Most parts at the end of a path that are tried without those before.
+/// Largest number of parts at the end of a path that are tried without those before.
 const MOST_TAILS: usize = 4;
 
 /// Reads the file of this name beside the model.
@@ -84,7 +84,7 @@ impl<'a> Companions<'a> {
         }
     }
 
-    /// Returns the remarks.
+    /// Returns the remarks that were made, in their order.
     pub fn into_remarks(self) -> Vec<String> {
         self.remarks.into_inner()
     }

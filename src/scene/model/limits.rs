@@ -16,7 +16,7 @@ pub fn check_count(triangles: usize) -> Result<(), String> {
 /// The room that is left for the models of a scene: together they have the limits of one.
 #[derive(Debug)]
 pub struct Room {
-    /// Number of texels.
+    /// Number of texels that the scene may still have.
     pub texels: Cell<u64>,
     bytes: Cell<u64>,
     triangles: Cell<usize>,
@@ -42,7 +42,7 @@ impl Room {
         Ok(())
     }
 
-    /// Takes the room for so many `triangles`.
+    /// Takes the room for this number of `triangles`.
     pub fn take_triangles(&self, triangles: usize) -> Result<(), String> {
         let left = self.triangles.get().checked_sub(triangles);
         self.triangles.set(left.ok_or_else(|| {

@@ -9,17 +9,17 @@ use tobj::MTLLoadResult;
 use super::companions::Companions;
 use super::text::{Statements, text_of, word_and_name};
 
-/// Most libraries of a model.
+/// Largest number of libraries of a model.
 const MOST_LIBRARIES: usize = 1000;
-/// Most materials of all libraries of a model.
+/// Largest number of materials in all libraries of a model.
 const MOST_MATERIALS: usize = 100_000;
 
-/// A material.
+/// A material of a library.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Material {
     /// The name by which faces use it.
     pub name: String,
-    /// Its diffuse colour, linear.
+    /// The diffuse colour, linear sRGB.
     pub diffuse: Option<[f32; 3]>,
     /// The picture that multiplies it.
     pub picture: Option<Map>,

@@ -23,7 +23,7 @@ use super::textures::Textures;
 /// Paint of what has none.
 const WHITE: [f32; 3] = [1.0; 3];
 
-/// Reads a model.
+/// Reads the model in the bytes of an OBJ file.
 pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedModel, String> {
     let (problems, text) = (Problems::default(), text_of(bytes));
     let mut lines = Lines::new(&text, &problems);

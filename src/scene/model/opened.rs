@@ -28,11 +28,11 @@ pub(in crate::scene) struct Models<'a> {
 /// The models and the presets so far.
 #[derive(Default)]
 pub(in crate::scene) struct Opened {
-    /// By their paths.
+    /// Models by their paths.
     models: RefCell<HashMap<String, Rc<NamedModel>>>,
-    /// By the models' forms.
+    /// Prepared bodies by the forms of their models.
     bodies: RefCell<HashMap<String, ModelBodies>>,
-    /// By their names, and the changes to their wheels.
+    /// Presets by their names with the changes to their wheels.
     presets: RefCell<HashMap<String, PresetBodies>>,
     reports: RefCell<Vec<ModelReport>>,
     room: Room,
@@ -41,12 +41,7 @@ pub(in crate::scene) struct Opened {
 impl Opened {
     /// Returns the bodies of the preset that is called `key` here, which `read` returns unless it is known.
     pub fn preset(&self, key: String, read: impl FnOnce() -> Option<PresetBodies>) -> Option<PresetBodies> {
-        let known = self.presets.borrow().get(&key).cloned();
-        known.or_else(|| {
-            let bodies = read()?;
-            self.presets.borrow_mut().insert(key, bodies.clone());
-            Some(bodies)
-        })
+        kept(&self.presets, key, || read().ok_or(())).ok()
     }
 
     /// Returns the reports on the models.
@@ -62,16 +57,13 @@ impl Models<'_> {
         path: &str,
         read: impl FnOnce(&ModelFiles<'_>, &str, &Room) -> Result<(NamedModel, Vec<String>), String>,
     ) -> Result<Rc<NamedModel>, String> {
-        if let Some(model) = self.opened.models.borrow().get(path) {
-            return Ok(model.clone());
-        }
-        let (named, remarks) = read(&self.files, path, &self.opened.room)?;
-        if !matches!(self.files, ModelFiles::Preset) {
-            self.opened.reports.borrow_mut().push(ModelReport::new(path, &named, remarks));
-        }
-        let named = Rc::new(named);
-        self.opened.models.borrow_mut().insert(path.to_owned(), named.clone());
-        Ok(named)
+        kept(&self.opened.models, path.to_owned(), || {
+            let (named, remarks) = read(&self.files, path, &self.opened.room)?;
+            if !matches!(self.files, ModelFiles::Preset) {
+                self.opened.reports.borrow_mut().push(ModelReport::new(path, &named, remarks));
+            }
+            Ok(Rc::new(named))
+        })
     }
 
     /// Returns the bodies of a model of this `form`, which `prepare` returns unless they are known.
@@ -80,16 +72,25 @@ impl Models<'_> {
         form: String,
         prepare: impl FnOnce() -> Result<ModelBodies, Problem>,
     ) -> Result<ModelBodies, Problem> {
-        if let Some(bodies) = self.opened.bodies.borrow().get(&form) {
-            return Ok(bodies.clone());
-        }
-        let bodies = prepare()?;
-        self.opened.bodies.borrow_mut().insert(form, bodies.clone());
-        Ok(bodies)
+        kept(&self.opened.bodies, form, prepare)
     }
 
-    /// Takes the room of so many triangles in the scene.
+    /// Takes the room of this number of triangles from what is left for the scene.
     pub(super) fn take_triangles(&self, triangles: usize) -> Result<(), String> {
         self.opened.room.take_triangles(triangles)
     }
+}
+
+/// Returns what is known by this `key`, or what `made` returns, which is known from then on.
+fn kept<Value: Clone, Problem>(
+    known: &RefCell<HashMap<String, Value>>,
+    key: String,
+    made: impl FnOnce() -> Result<Value, Problem>,
+) -> Result<Value, Problem> {
+    if let Some(value) = known.borrow().get(&key) {
+        return Ok(value.clone());
+    }
+    let value = made()?;
+    known.borrow_mut().insert(key, value.clone());
+    Ok(value)
 }

@@ -120,6 +120,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
+    use crate::scene::tests::random;
 
     #[test]
     fn the_circle_around_a_polygon_is_through_its_corners_whatever_is_inside() {
@@ -156,12 +157,7 @@ mod tests {
 
     #[test]
     fn no_smaller_circle_is_around_them() {
-        // The generator of Knuth's MMIX.
-        let mut state = 1_u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) as f64 / f64::from(1 << 31)
-        };
+        let mut random = random();
         for count in [2, 3, 4, 5, 9, 14] {
             for _ in 0..30 {
                 let places: Vec<_> = (0..count).map(|_| DVec2::new(random(), 0.3 * random())).collect();

@@ -2,14 +2,16 @@
 //! the encoding and the line ends.
 
 use std::borrow::Cow;
+use std::io::Read as _;
 use std::str::Lines;
+
+use crate::files::utf16::Decoded;
 
 /// Returns the text of a file without the mark at its beginning, its lines ended by line feeds: UTF-8, UTF-16
 /// after a mark, and a line in another encoding letter by letter, as in Latin-1.
 pub fn text_of(bytes: &[u8]) -> Cow<'_, str> {
     let text = match bytes {
-        [0xff, 0xfe, rest @ ..] => from_utf16(rest, u16::from_le_bytes).into(),
-        [0xfe, 0xff, rest @ ..] => from_utf16(rest, u16::from_be_bytes).into(),
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => from_utf16(bytes).into(),
         [0xef, 0xbb, 0xbf, rest @ ..] => from_bytes(rest),
         _ => from_bytes(bytes),
     };
@@ -20,9 +22,11 @@ pub fn text_of(bytes: &[u8]) -> Cow<'_, str> {
     text
 }
 
-fn from_utf16(bytes: &[u8], word: fn([u8; 2]) -> u16) -> String {
-    let words = bytes.as_chunks().0.iter().map(|&pair| word(pair));
-    char::decode_utf16(words).map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
+fn from_utf16(bytes: &[u8]) -> String {
+    let mut text = String::new();
+    // From memory: reading does not fail.
+    let _ = Decoded::new(bytes).and_then(|mut decoded| decoded.read_to_string(&mut text));
+    text
 }
 
 fn from_bytes(bytes: &[u8]) -> Cow<'_, str> {

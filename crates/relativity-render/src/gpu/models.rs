@@ -118,7 +118,7 @@ impl Arranged {
         Some(first)
     }
 
-    /// Whether so many texels more have room where the texture has at most this number of rows.
+    /// Whether there is room for `more` texels where the texture has at most this number of rows.
     const fn has_room(&self, more: usize, largest_side: u32) -> bool {
         (self.texels.len() + more).div_ceil(self.size[0] as usize) <= largest_side as usize
     }

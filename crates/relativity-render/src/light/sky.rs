@@ -31,7 +31,7 @@ pub const SPEEDS_PER_OCTAVE: f64 = 8.0;
 pub const TURNS: usize = 25;
 /// Entries of a row, over the Doppler factor: from 0.35 to 358, as much as the last speed seen head-on.
 pub const ENTRIES: usize = 640;
-/// Entries per octave.
+/// Entries of a row per octave of the Doppler factor.
 pub const PER_OCTAVE: f64 = 64.0;
 /// Entries of a speed and turn: a row for red, green and blue paint each.
 pub const WIDTH: usize = 3 * ENTRIES;

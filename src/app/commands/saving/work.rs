@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::progress::Reporter;
 use crate::app::tools::worker::{StepOutcome, Wanted, Work};
-use crate::estimate::FitReport;
 use crate::estimate::samples::FitKey;
+use crate::estimate::{FitReport, outliers};
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
 use crate::flags::words::Shell;
@@ -193,7 +193,7 @@ fn fitted(key: &FitKey) -> anyhow::Result<(FitReport, String)> {
     let samples = key.fittable().map_err(anyhow::Error::msg)?;
     let report = |replicates| -> Result<FitReport, FitError> {
         let mut report = FitReport::new(&samples.observations, &samples.options, replicates, key.setup.seed)?;
-        samples.name_lines(&mut report.outliers);
+        outliers::name_lines(&mut report.outliers, &samples.lines);
         report.cause = report.warning.as_ref().and_then(|_| key.cause(&samples, report.fit.rms));
         Ok(report)
     };

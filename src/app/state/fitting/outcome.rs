@@ -224,7 +224,7 @@ impl Fitted {
         let is_chance = residuals::are_chance(best);
         let observed = &samples.observations;
         let mut found = outliers::find(best, observed);
-        samples.name_lines(&mut found);
+        outliers::name_lines(&mut found, &samples.lines);
         let at_samples: Vec<_> =
             observed.samples().iter().map(|sample| fitted_angles(best, sample.pair, sample.time)).collect();
         Ok(Self {

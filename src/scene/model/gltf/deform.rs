@@ -11,7 +11,7 @@ use gltf::{Node, Primitive, Skin};
 use super::super::accessor::{JOINTS, MATRICES, PLACES, WEIGHTS, read};
 use super::nodes::Tree;
 
-/// Most moves of a model's corners, by targets and joints.
+/// Largest number of moves of a model's corners, by targets and joints.
 const MOST_MOVES: usize = 200_000_000;
 
 /// The number of moves of corners so far.
@@ -29,7 +29,8 @@ impl Moves {
     }
 }
 
-/// Adds to `places` the targets of `primitive`, weighted by default as `node` or its mesh says.
+/// Adds to `places` the morph targets of `primitive`, with the default weights of `node`, or else of its
+/// mesh.
 pub fn morph(
     places: &mut [DVec3],
     primitive: &Primitive<'_>,

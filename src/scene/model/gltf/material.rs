@@ -14,9 +14,9 @@ use super::ModelReader;
 use super::document::data_at;
 use super::extensions::{TextureInfo, TextureTransform};
 
-/// What a material gives its triangles.
+/// The paint that a material gives its triangles.
 struct Coat {
-    /// Its colour, linear, and its opacity.
+    /// The base colour, linear sRGB, and the opacity.
     factor: [f32; 4],
     /// The texture that multiplies it.
     texture: Option<TextureInfo>,

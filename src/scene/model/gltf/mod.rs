@@ -37,7 +37,7 @@ use super::parts::{NamedModel, NamedPart};
 use super::report::counted;
 use super::textures::Textures;
 
-/// Reads a model.
+/// Reads the model in the bytes of a glTF file, `.gltf` or `.glb`.
 pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedModel, String> {
     let text = document::text(bytes, companions)?;
     let compression = extensions::compression(text.document.as_json());

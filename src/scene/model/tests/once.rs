@@ -1,4 +1,5 @@
-//! What several models of a scene have in common is read once and kept once, and has limits for all of them.
+//! Models of a scene that have files, textures or triangles in common: these are read and kept once, and have
+//! limits for all models together.
 
 use std::sync::Arc;
 

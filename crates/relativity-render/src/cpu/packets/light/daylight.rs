@@ -71,10 +71,13 @@ impl<S: Simd> Facings<S> {
         let (turn, inside): ([f32; LANES], [f32; LANES]) =
             (turn.into(), clamp(place, zero, all(simd, last)).into());
         let [red, green, blue]: [[f32; LANES]; 3] = [shares.x.into(), shares.y.into(), shares.z.into()];
-        let mut parts = [[0.0; LANES]; 4];
+        let (table, mut parts) = (sky::table(), [[0.0; LANES]; 4]);
         for lane in 0..LANES {
-            let found =
-                in_table([speed[lane], turn[lane], inside[lane]], [red[lane], green[lane], blue[lane]]);
+            let found = in_table(
+                table,
+                [speed[lane], turn[lane], inside[lane]],
+                [red[lane], green[lane], blue[lane]],
+            );
             for part in 0..4 {
                 parts[part][lane] = found[part];
             }
@@ -84,10 +87,10 @@ impl<S: Simd> Facings<S> {
     }
 }
 
-/// The entry between those at this speed, turn and place, of paint with these shares.
+/// The entry of the `table` of the sky between those at this speed, turn and place, of paint with these
+/// shares.
 #[inline(always)]
-fn in_table(at: [f32; 3], shares: [f32; 3]) -> [f32; 4] {
-    let table = sky::table();
+fn in_table(table: &[[f32; 4]], at: [f32; 3], shares: [f32; 3]) -> [f32; 4] {
     let below = |of: usize, count: usize| (at[of] as usize).min(count - 2);
     let [speed, turn, place] = [below(0, sky::SPEEDS), below(1, sky::TURNS), below(2, sky::ENTRIES)];
     let past = [at[0] - speed as f32, at[1] - turn as f32, at[2] - place as f32];

@@ -7,7 +7,7 @@ use std::io::{self, Read};
 const CHUNK_BYTES: usize = 1 << 14;
 
 /// A reader of what `inner` gives, in UTF-8 if that begins with the mark of UTF-16.
-pub(super) struct Decoded<R> {
+pub(crate) struct Decoded<R> {
     inner: R,
     /// How two bytes make a unit of UTF-16; `None` for bytes that stay as they are.
     unit: Option<fn([u8; 2]) -> u16>,
