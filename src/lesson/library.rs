@@ -22,7 +22,7 @@ macro_rules! files {
 }
 
 /// The names of the program's own, their files and the pictures of their cards, in their order.
-const OWN: [(&str, &str, &[u8]); 19] = files![
+const OWN: [(&str, &str, &[u8]); 21] = files![
     "rods",
     "what-gamow-drew",
     "light-is-late",
@@ -42,6 +42,8 @@ const OWN: [(&str, &str, &[u8]); 19] = files![
     "ride-contracted",
     "ride-away",
     "ride-gate",
+    "seasons",
+    "goes-dark",
 ];
 
 /// Returns the file of the picture on the card of the program's own lesson of this name.

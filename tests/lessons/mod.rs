@@ -6,6 +6,7 @@ mod fitted;
 mod riding;
 mod second;
 mod slide;
+mod sunlit;
 mod support;
 mod third;
 mod told;
