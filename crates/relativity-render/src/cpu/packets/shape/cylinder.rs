@@ -104,8 +104,8 @@ impl<S: Simd> CylinderFaces<S> {
         let &Self { image, is_side, rise, place } = self;
         let CylinderImage { radius, extent, sine, cosine, x, y, chord, off_axis, along_axis } = image;
         let zero = all(beyond.simd, 0.0);
-        // The rim of the end in sight, as an ellipse about that end's middle. Where it is no outline, the side
-        // adjoins.
+        // The rim of the end in sight, as an ellipse about that end's middle. Where it is no outline, the
+        // side adjoins.
         let from_end = y + rise * extent * sine;
         let rim = ellipse(x, from_end, radius, cosine);
         let across = body.rest_from_body(off_axis * rim.outward.x + along_axis * rim.outward.y);
