@@ -17,7 +17,7 @@ use gamow_platform::files::{self, Regular};
 use gamow_platform::sizes;
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_render::picture::rectify::LightCorrection;
-use relativity_render::{Appearance, Hit, HitImage, PreparedScene};
+use relativity_render::{Appearance, Emission, Hit, HitImage, Paint, PreparedScene};
 
 use super::provenance::{SOFTWARE, command_in_comments};
 
@@ -29,6 +29,9 @@ const NO_WAVELENGTH_NM: f64 = 0.0;
 
 /// The angle on a wheel of what turns on none, and of nothing: no angle, which lie in [-pi, pi].
 pub const NO_ANGLE: f32 = -10.0;
+
+/// The number of the measured material of what has none.
+const NO_MATERIAL: f32 = -1.0;
 
 /// The number of the triangle of what is made of none, and of nothing.
 const NO_TRIANGLE: f32 = -1.0;
@@ -49,6 +52,9 @@ pub enum Channel {
     /// Point of a wheel that emitted the light: its angle about the axle at t' = 0 by those clocks, radians
     /// from +x towards +z; -10 for bodies that turn about no axle.
     MaterialAngle,
+    /// Number of the measured material that reflects daylight there, in the order of
+    /// [`relativity_render::Material::ALL`]; -1 of other paint, of light and of nothing.
+    Material,
     /// Received over rest frequency.
     Doppler,
     /// Received wavelength, nm; 0 where the light is white.
@@ -100,13 +106,14 @@ const fn corrected(
 
 impl Channel {
     /// Every channel.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Id,
         Self::Group,
         Self::Distance,
         Self::EmissionTime,
         Self::ProperTime,
         Self::MaterialAngle,
+        Self::Material,
         Self::Doppler,
         Self::WavelengthNm,
         Self::Intensity,
@@ -127,6 +134,7 @@ impl Channel {
             Self::EmissionTime => same("emission_time", 0.0, |hit, _| hit.emission_time),
             Self::ProperTime => same("proper_time", 0.0, |hit, _| hit.proper_time),
             Self::MaterialAngle => same("material_angle", NO_ANGLE, material_angle),
+            Self::Material => same("material", NO_MATERIAL, material),
             Self::Doppler => corrected("doppler", |hit, _| hit.doppler_factor, |doppler, _| 1.0 / doppler),
             Self::WavelengthNm => corrected("wavelength_nm", received_nm, wavelength_correction),
             Self::Intensity => corrected("intensity", received_intensity, intensity_correction),
@@ -183,6 +191,18 @@ pub struct ChannelLight<'a> {
 fn material_angle(hit: &Hit, light: &ChannelLight<'_>) -> f64 {
     let spin = light.scene.bodies()[hit.body].spin;
     spin.map_or(f64::from(NO_ANGLE), |spin| spin.angle(hit.material_position))
+}
+
+fn material(hit: &Hit, light: &ChannelLight<'_>) -> f64 {
+    let body = &light.scene.bodies()[hit.body];
+    let of_triangle =
+        || hit.triangle.zip(body.triangles.as_ref()).and_then(|(point, all)| all.material(point.triangle));
+    let material = match body.emission {
+        Emission::Painted(Paint::Measured(own)) => Some(own),
+        Emission::Painted(Paint::Smooth(_)) => of_triangle(),
+        Emission::Wavelength(_) | Emission::Glowing(_) => None,
+    };
+    material.map_or(NO_MATERIAL.into(), |material| material.number() as f64)
 }
 
 /// Returns the weight of a triangle's second corner in its file, or of its third: `corner` is 0 or 1.

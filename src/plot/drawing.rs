@@ -93,8 +93,8 @@ impl<'a> PanelAxes<'a> {
                 return Axis::within(false, at_least(needed[axis], coarsest * size[axis]), wanted);
             }
             match panel.ranges[axis] {
-                Some(range) => Axis::within(panel.is_logarithmic(axis), range, wanted),
-                None => Axis::fitted(panel.is_logarithmic(axis), needed[axis], wanted),
+                Some(range) => Axis::within(panel.is_logarithmic[axis], range, wanted),
+                None => Axis::fitted(panel.is_logarithmic[axis], needed[axis], wanted),
             }
         });
         Self { panel, frame, both }

@@ -94,9 +94,9 @@ pub struct Panel {
     pub marks: Vec<(f64, String)>,
     /// Whether a unit is as long on both axes.
     pub equal_scales: bool,
-    /// Whether the vertical axis is logarithmic: all values are above 0 then, and `equal_scales` has no
-    /// effect.
-    pub is_logarithmic: bool,
+    /// Whether the horizontal and the vertical axis are logarithmic: all values are above 0 then, and
+    /// `equal_scales` has no effect.
+    pub is_logarithmic: [bool; 2],
     /// Ends of the axes, logarithms of a logarithmic one; `None` lets the lines decide.
     pub ranges: [Option<[f64; 2]>; 2],
     /// Width of the picture, pixels.
@@ -115,7 +115,7 @@ impl Panel {
             shown_x: None,
             marks: Vec::new(),
             equal_scales: false,
-            is_logarithmic: false,
+            is_logarithmic: [false; 2],
             ranges: [None; 2],
             width: 480.0,
             height: HEIGHT,
@@ -131,13 +131,8 @@ impl Panel {
         with_margin(range.unwrap_or_default(), room)
     }
 
-    /// Whether this axis is logarithmic.
-    pub(super) fn is_logarithmic(&self, axis: usize) -> bool {
-        axis == 1 && self.is_logarithmic
-    }
-
     /// Returns the place of `value` along an axis: its logarithm on a logarithmic one.
     pub(super) fn along(&self, axis: usize, value: f64) -> f64 {
-        if self.is_logarithmic(axis) { math::log10(value) } else { value }
+        if self.is_logarithmic[axis] { math::log10(value) } else { value }
     }
 }

@@ -81,7 +81,7 @@ fn assert_on_light_cone(
     velocities: &[Velocity],
 ) -> Vec<usize> {
     let channels = channels(&folder.join("hits.exr"));
-    assert_eq!(channels.len(), 30);
+    assert_eq!(channels.len(), 32);
     let [azimuth, elevation] = gaze.map(f64::to_radians);
     let mut pixels = vec![0; velocities.len()];
     let gaze = Gaze { azimuth, elevation };
@@ -108,7 +108,7 @@ fn assert_on_light_cone(
             near("distance", expected.distance);
             near("emission_time", expected.retarded_time);
             near("proper_time", expected.proper_time);
-            assert_eq!(value("material_angle"), -10.0);
+            assert_eq!([value("material_angle"), value("material")], [-10.0, -1.0]);
             assert_eq!(["triangle", "triangle_b", "triangle_c"].map(value), [-1.0, 0.0, 0.0]);
             near("doppler", expected.doppler_factor);
             near("intensity", expected.intensity(4.0));
@@ -297,4 +297,33 @@ fn a_pixel_of_a_model_names_a_point_of_a_triangle() {
         }
         assert!(shown.iter().all(|&pixels| pixels > 30), "{file}: {shown:?}");
     }
+}
+
+#[test]
+fn measured_materials_are_numbered_in_the_order_of_their_list() {
+    let folder = folder();
+    let ball = |x: f64, light: &str| {
+        format!("[[object]]\nshape = \"sphere\"\n{light}\ncentre = [{x:.1}, 5.0, 0.0]\nradius = 0.6\n")
+    };
+    let lights = ["material = \"leaves\"", "paint = \"#b3202a\"", "material = \"sand\"", "glow_k = 2700"];
+    let balls: String = lights.iter().zip([-2.4, -0.8, 0.8, 2.4]).map(|(light, x)| ball(x, light)).collect();
+    std::fs::write(folder.path().join("balls.toml"), format!("name = \"Balls\"\n{balls}"))
+        .expect("there is room");
+    render(folder.path(), "--scene balls.toml --beta 0 --d 0 --fov 80 --gaze 90,0 --time 0 --out hits.exr");
+    let channels = channels(&folder.path().join("hits.exr"));
+    let description = include_str!("../../assets/scenes/README.md");
+    let (_, list) = description.split_once("The measured materials are").expect("they are listed");
+    let names: Vec<&str> = list.split('`').skip(1).step_by(2).take(18).collect();
+    let number = |name: &str| names.iter().position(|named| *named == name).expect("it is listed") as f32;
+    let expected = [number("leaves"), -1.0, number("sand"), -1.0];
+    let mut seen = [0; 4];
+    for (id, material) in channels["left.id"].iter().zip(&channels["left.material"]) {
+        if *id < 0.0 {
+            assert_eq!(*material, -1.0);
+            continue;
+        }
+        assert_eq!(*material, expected[*id as usize]);
+        seen[*id as usize] += 1;
+    }
+    assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
 }

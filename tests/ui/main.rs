@@ -24,6 +24,7 @@ mod insane;
 mod kept;
 mod layouts;
 mod lessons;
+mod light;
 mod manners;
 mod map;
 mod measuring;
@@ -80,6 +81,7 @@ fn main() -> ExitCode {
         kept::TESTS,
         layouts::TESTS,
         lessons::TESTS,
+        light::TESTS,
         manners::TESTS,
         map::TESTS,
         measuring::TESTS,

@@ -10,12 +10,10 @@ use relativity_render::colour::spectrum::VISIBLE_NM;
 use crate::app::state::State;
 use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::theme;
-use crate::app::widgets::wavelength_colour::{paint_strip, places, visible_colour};
+use crate::app::widgets::wavelength_colour::{SCALE_NM, paint_strip, places, visible_colour};
 use crate::caption::{Moment, RestLight, beginnings, in_words};
 use crate::eye::Eye;
 
-/// Shortest and longest wavelength of the scale, nm.
-const RANGE_NM: [f64; 2] = [100.0, 3000.0];
 /// Height of the numbers above the strip of colours, points.
 const NUMBERS_HEIGHT: f32 = 16.0;
 /// Space below the strip.
@@ -59,14 +57,14 @@ fn paint_light(painter: &Painter, rect: Rect, light: &str, colour: Color32) {
 
 /// Returns the place of a wavelength on the strip; beyond its ends where it lies beyond.
 fn place(strip: Rect, wavelength_nm: f64) -> f32 {
-    let [first, last] = RANGE_NM.map(math::log10);
+    let [first, last] = SCALE_NM.map(math::log10);
     let fraction = (math::log10(wavelength_nm) - first) / (last - first);
     strip.min.x + strip.width() * fraction.clamp(-1.0, 2.0) as f32
 }
 
 /// The wavelength at `x` of the scale.
 fn wavelength_at(strip: Rect, x: f32) -> f64 {
-    let [first, last] = RANGE_NM.map(math::log10);
+    let [first, last] = SCALE_NM.map(math::log10);
     math::powf(10.0, first + (last - first) * f64::from((x - strip.min.x) / strip.width()))
 }
 

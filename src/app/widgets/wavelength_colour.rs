@@ -3,6 +3,8 @@
 use eframe::egui::{Color32, Mesh, Painter, Rect, Shape, pos2};
 use relativity_render::colour;
 
+/// Shortest and longest wavelength of scales, nm: of light near the visible.
+pub const SCALE_NM: [f64; 2] = [100.0, 3000.0];
 /// Points between the places of a strip whose colours are worked out.
 const STEP: f32 = 2.0;
 

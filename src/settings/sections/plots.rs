@@ -1,11 +1,11 @@
-//! The section of plots: what is plotted against T.
+//! The section of plots: what is plotted.
 
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 use crate::flags::{OnOff, switch};
 
-/// The quantity that is plotted against T.
+/// The contents of the plots, most of them against T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlotTab {
@@ -18,6 +18,8 @@ pub enum PlotTab {
     Doppler,
     /// Stereo gain, and how far away two eyes place the selected point.
     Stereo,
+    /// Spectrum of the selected point: as its light is emitted, and as each eye receives it.
+    Light,
     /// Speed and distance of the selected point, fitted to noisy disparities alone.
     Fit,
     /// Cost and error of each way to draw the views.

@@ -70,14 +70,22 @@ pub fn black_body(log2_kelvin: f64) -> Broad {
     Broad { log2_level: inside.log2_level + colder.max(-1e9) + hotter, ..inside }
 }
 
+/// The radiance per wavelength of a black body at `nm`, in units of 2hc²/nm⁵.
+#[must_use]
+pub fn radiance(nm: f64, kelvin: f64) -> f64 {
+    exp(ln_radiance(nm, kelvin))
+}
+
+fn ln_radiance(nm: f64, kelvin: f64) -> f64 {
+    let x = SECOND_RADIATION_NM_K / (nm * kelvin);
+    // ln(nm^-5/(e^x - 1)), where e^x would overflow as well as where it is near 1.
+    let ln_denominator = if x > 30.0 { x } else { ln(exp_m1(x)) };
+    -5.0 * ln(nm) - ln_denominator
+}
+
 fn glowing(log2_kelvin: f64) -> Broad {
     let kelvin = exp2(log2_kelvin);
-    Broad::new(|nm| {
-        let x = SECOND_RADIATION_NM_K / (nm * kelvin);
-        // ln(nm^-5/(e^x - 1)), where e^x would overflow as well as where it is near 1.
-        let ln_denominator = if x > 30.0 { x } else { ln(exp_m1(x)) };
-        -5.0 * ln(nm) - ln_denominator
-    })
+    Broad::new(|nm| ln_radiance(nm, kelvin))
 }
 
 fn table([first, last]: [f64; 2], value: impl Fn(f64) -> Broad) -> Vec<Broad> {

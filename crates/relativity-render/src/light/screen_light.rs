@@ -11,7 +11,8 @@ use super::palette::Row;
 use super::sky::{self, Reflected};
 use super::tone::toned;
 use crate::colour::paint::Paint;
-use crate::colour::planck::black_body;
+use crate::colour::planck::{self, black_body};
+use crate::colour::spectra::{daylight, reflectance};
 use crate::colour::spectrum::Band;
 use crate::colour::sunlit::{self, on_screen};
 use crate::colour::{false_colour, linear_srgb, luminance, unseen_daylight, unseen_glow, unseen_line};
@@ -61,6 +62,17 @@ impl Light {
                 [0.0, 0.0, 0.0] => Self::Line(nm),
                 colour => Self::Painted(Paint::Smooth(colour)),
             },
+        }
+    }
+
+    /// Returns the radiance per wavelength at `nm` where the light leaves: daylight times the reflectance of
+    /// the paint, or that of a black body, each in units of its own. `None` of light without a spectrum.
+    #[must_use]
+    pub fn radiance(self, nm: f64) -> Option<f64> {
+        match self {
+            Self::Glow(kelvin) => Some(planck::radiance(nm, kelvin)),
+            Self::Painted(paint) => Some(daylight(nm) * reflectance(paint, nm)),
+            Self::Line(_) | Self::Map => None,
         }
     }
 

@@ -1,6 +1,6 @@
 //! A curve as the plots over T draw it.
 
-use eframe::egui::Visuals;
+use eframe::egui::{Color32, Visuals};
 use egui_plot::{Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points};
 
 use super::chart::Trace;
@@ -13,6 +13,12 @@ pub(super) fn style(dash: Dash) -> LineStyle {
         Dash::Dashed(length) => LineStyle::Dashed { length: f32::from(length) },
         Dash::Dotted => LineStyle::dotted_dense(),
     }
+}
+
+/// Returns the colour as CSS has it.
+pub(super) fn css(colour: Color32) -> String {
+    let [r, g, b, _] = colour.to_srgba_unmultiplied();
+    format!("#{r:02X}{g:02X}{b:02X}")
 }
 
 /// The weight of a dot among what labels should not cover.

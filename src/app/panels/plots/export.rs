@@ -1,13 +1,14 @@
 //! The shown tab of plots as files: a drawing, and a table.
 
 use csv::ByteRecord;
-use eframe::egui::{Color32, Visuals};
+use eframe::egui::Visuals;
 
 use super::axes::{axis_label, column_label, in_unit, time_label};
 use super::chart::TimePlot;
+use super::drawn::css;
 use super::plotted::Plotted;
 use super::traces::chart;
-use super::{accuracy, fit};
+use super::{accuracy, fit, light};
 use crate::app::state::State;
 use crate::app::state::plots::curves::{Curve, Whose};
 use crate::app::state::plots::look::quantities;
@@ -22,6 +23,7 @@ use crate::settings::PlotTab;
 #[must_use]
 pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
     let panels: Vec<Panel> = match state.document.settings.plots.plot {
+        PlotTab::Light => vec![light::panel(state)],
         PlotTab::Fit => fit::panels(state, plotted.fitting),
         _ => charts(state, plotted).map(|chart| panel(state, &chart)).collect(),
     };
@@ -32,11 +34,12 @@ pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
 /// contain: T, and a column for each curve. Where disparities are plotted, the last columns are those that
 /// `gamow fit` and *Own data* read. A row stands at every T at which any of the curves is sampled, densely
 /// where they bend; every value there is computed, none interpolated. A cell is empty where a curve is not.
-/// Of the Accuracy tab it is the table, of the Fit tab the samples.
+/// Of the Light tab it is the spectra, of the Accuracy tab the table, of the Fit tab the samples.
 #[must_use]
 pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
     match state.document.settings.plots.plot {
         PlotTab::Accuracy => plotted.examination.map_or_else(String::new, accuracy::csv),
+        PlotTab::Light => light::csv(state),
         PlotTab::Fit => fit::csv(state, plotted.fitting),
         _ => table(state, &charts(state, plotted).collect::<Vec<_>>()),
     }
@@ -72,14 +75,9 @@ fn panel(state: &State, chart: &TimePlot<'_>) -> Panel {
     Panel {
         ranges: [Some(chart.range.map(shown)), Some(values)],
         marks: seen.into_iter().chain(cursors).chain([now]).collect(),
-        is_logarithmic: chart.quantity.row().is_logarithmic,
+        is_logarithmic: [false, chart.quantity.row().is_logarithmic],
         ..Panel::new(title, labels, lines.collect())
     }
-}
-
-fn css(colour: Color32) -> String {
-    let [r, g, b, _] = colour.to_srgba_unmultiplied();
-    format!("#{r:02X}{g:02X}{b:02X}")
 }
 
 /// The columns that `gamow fit` and *Own data* read, of the selected point as the views show it: their names

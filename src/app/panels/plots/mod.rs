@@ -1,5 +1,6 @@
 //! The plots: a strip of tabs, each of them a file or a folder here, and the curves of the followed points
-//! over T: disparities, angles, Doppler factor. Clicking or dragging in a plot goes to that T.
+//! over T: disparities, angles, Doppler factor. The Light tab shows spectra instead. Clicking or dragging in
+//! a plot goes to that T.
 
 mod accuracy;
 mod axes;
@@ -9,6 +10,7 @@ mod export;
 mod fit;
 mod gestures;
 mod legend;
+mod light;
 mod pins;
 mod plotted;
 mod pointed;
@@ -71,6 +73,7 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut Com
         }
     });
     match state.document.settings.plots.plot {
+        PlotTab::Light => light::show(ui, state),
         PlotTab::Fit => fit::show(ui, state, plotted.fitting, commands),
         PlotTab::Accuracy => accuracy::show(ui, state, plotted.examination, commands),
         _ => over_time(ui, state, plotted.curves, 0.0, commands),
@@ -84,6 +87,7 @@ pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut
         return sketch::show(ui, state, sketched, commands);
     }
     match state.document.settings.plots.plot {
+        PlotTab::Light => light::show(ui, state),
         PlotTab::Fit => fit::show_presented(ui, state, plotted.fitting, commands),
         _ => over_time(ui, state, plotted.curves, 0.0, commands),
     }
@@ -135,13 +139,14 @@ fn tabs(ui: &mut Ui, state: &State, commands: &mut Commands) {
             PlotTab::Angles => "Angles",
             PlotTab::Doppler => "Doppler",
             PlotTab::Stereo => "Stereo",
+            PlotTab::Light => "Light",
             PlotTab::Fit => "Fit",
             PlotTab::Accuracy => "Accuracy",
         };
         explained_lazily(ui.selectable_value(&mut plots.plot, tab, name), || meaning(&tab));
     }
     let with_published = plots.plot == PlotTab::Disparity;
-    if !matches!(plots.plot, PlotTab::Fit | PlotTab::Accuracy) {
+    if !matches!(plots.plot, PlotTab::Light | PlotTab::Fit | PlotTab::Accuracy) {
         let published = egui::Checkbox::new(&mut plots.published, "Published");
         ui.add_enabled(with_published, published).on_hover_text(about("published"));
     }

@@ -118,6 +118,6 @@ pub fn quantities(plots: &PlotSettings) -> &'static [Quantity] {
         PlotTab::Angles => &Quantity::ANGLE_PLOTS,
         PlotTab::Doppler => &Quantity::DOPPLER_PLOT,
         PlotTab::Stereo => &Quantity::STEREO_PLOTS,
-        PlotTab::Fit | PlotTab::Accuracy => &[],
+        PlotTab::Light | PlotTab::Fit | PlotTab::Accuracy => &[],
     }
 }

@@ -9,4 +9,5 @@ pub(in crate::app) mod observer;
 pub(in crate::app) mod on_wheel;
 mod plots;
 mod riding;
+pub(in crate::app) mod spectrum;
 pub(in crate::app) mod told_speed;

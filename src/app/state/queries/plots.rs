@@ -8,6 +8,7 @@ use crate::app::state::plots::look::{Pin, quantities};
 use crate::app::state::points::Point;
 use crate::plot::{MOST_TICKS, widened};
 use crate::quantity::Quantity;
+use crate::settings::PlotTab;
 
 impl State {
     /// The quantities that are plotted: only the first for an audience, and among few controls.
@@ -18,6 +19,7 @@ impl State {
         match (shows_all, all) {
             (true, all) => all,
             (false, [first, ..]) => std::slice::from_ref(first),
+            (false, []) if self.document.settings.plots.plot == PlotTab::Light => &[],
             (false, []) => &[Quantity::DeltaPhi],
         }
     }
