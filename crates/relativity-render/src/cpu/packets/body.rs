@@ -2,7 +2,7 @@
 
 use crate::frame::uniform::FrameUniform;
 use crate::scene::prepared_body::Placement;
-use crate::simd::lanes::{F, Mask, Quaternion, Simd, V3, all, select};
+use crate::simd::lanes::{F, Mask, Quaternion, Simd, SimdFloat, SimdMask, V3, all, select};
 use crate::view::Geometry;
 
 /// The view of a group, in the units of the shaders.
@@ -72,6 +72,28 @@ pub struct Surface<S: Simd> {
     pub normal: V3<S>,
 }
 
+/// The limits within which a surface may change a packet.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits<S: Simd> {
+    /// Width of a pixel per distance, with what is widened into it.
+    pub pixel: F<S>,
+    /// Distance beyond the middle of the group behind which each pixel is covered.
+    pub farthest: F<S>,
+}
+
+impl<S: Simd> Limits<S> {
+    /// Whether a surface with this `clearance`, this far `beyond`, is outside all pixels, covered in them or
+    /// behind the camera.
+    #[inline(always)]
+    pub fn exclude(&self, ray: &RestRays<S>, clearance: F<S>, beyond: F<S>) -> bool {
+        let distance = ray.to_centre + beyond;
+        // Farther outside than a pixel it is in no sample, and not widened into one.
+        let is_inside = (clearance + distance.max(0.0) * self.pixel).simd_gt(0.0);
+        let is_in_sight = is_inside & distance.simd_gt(0.0) & !beyond.simd_gt(self.farthest);
+        !is_in_sight.any_true()
+    }
+}
+
 impl<S: Simd> PacketBody<S> {
     /// Loads the shaders' data of a body.
     #[inline(always)]
@@ -120,6 +142,12 @@ impl<S: Simd> Surface<S> {
             place: origin,
             normal: origin,
         }
+    }
+
+    /// Returns a surface outside all pixels.
+    #[inline(always)]
+    pub fn excluded(simd: S) -> Self {
+        Self { clearance: all(simd, f32::NEG_INFINITY), ..Self::none(simd) }
     }
 
     /// `value` where it holds, else `other`.

@@ -84,10 +84,10 @@ impl<'a> Look<'a> {
     #[inline]
     pub fn seen(&self, number: usize) -> Seen<'_> {
         let body = &self.scene.bodies()[number];
-        let place = self.turning.binary_search_by_key(&number, |(number, ..)| *number);
-        let (turns, shown) = match place {
-            Ok(place) => (self.turning[place].1, self.turning[place].2),
-            Err(_) => (Turns::Not, TurningStart { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] }),
+        let place = || self.turning.binary_search_by_key(&number, |(number, ..)| *number).ok();
+        let (turns, shown) = match body.spin.and_then(|_| place()) {
+            Some(place) => (self.turning[place].1, self.turning[place].2),
+            None => (Turns::Not, TurningStart { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] }),
         };
         Seen { body, number, turns, shown }
     }

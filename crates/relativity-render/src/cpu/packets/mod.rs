@@ -3,7 +3,7 @@
 //! The same formulas as in `shaders/`, function by function, so that it is as accurate as
 //! [`rays`](crate::gpu::rays); it needs no graphics adapter, and is faster than one that is software. A tile
 //! of the picture looks for bodies in the hierarchies, about the nearest first, and stops behind what covers
-//! it.
+//! it; each packet of eight pixels leaves out bodies that it does not show before it tests them closely.
 
 mod body;
 mod edge;

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use glam::{DVec2, DVec3, Vec3};
 use relativity_core::math::hypot;
 
-use super::boxes::Boxes;
+use super::boxes::{Boxes, BoxesOn};
 use crate::geometry::ray::Ray;
 use crate::simd::lanes::{F, Simd, SimdFloat, all, select};
 use crate::view::Geometry;
@@ -16,6 +16,8 @@ use crate::view::group_view::GroupView;
 const LEAST_SQUARE: f64 = 1e-280;
 /// Relative error of a place and an offset in f32.
 pub(super) const ROUNDING: f32 = 1e-6;
+/// Greatest spread of a beam for which the entry of its middle ray tells anything of others.
+const MOST_SPREAD: f32 = 0.1;
 /// Least cosine of a beam for which bounding planes are of use: at smaller ones the planes that touch it are
 /// all but one.
 const LEAST_COSINE: f64 = 0.07;
@@ -28,6 +30,22 @@ pub struct Beam {
     axis: Vec3,
     /// The greatest difference of another ray's direction from the axis.
     spread: f32,
+    middle_ray: MiddleRay,
+}
+
+/// The middle ray of a beam, for where it enters boxes.
+#[derive(Debug, Clone, Copy)]
+struct MiddleRay {
+    /// Its point nearest to the middle of the group, from there.
+    place: Vec3,
+    /// The distance of that point from the tip of the beam.
+    to_place: f32,
+    /// Signs of its direction, and the reciprocals of its parts without these.
+    towards: Vec3,
+    reciprocals: Vec3,
+    /// The greatest difference between other rays' and its own distance to their points nearest to the middle
+    /// of the group.
+    slack: f32,
 }
 
 /// A direction, without and with its signs, and how far along it something passes the middle of the group.
@@ -48,6 +66,9 @@ pub struct BeamLine {
 
 /// A search for boxes.
 pub trait Looks {
+    /// Whether it is worth to look into the nearest of all boxes next, not of those in the last node.
+    const IS_IN_ORDER: bool = false;
+
     /// Returns the least distance beyond the middle of the group at which each of `boxes` is met; infinity if
     /// it is missed.
     fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S>;
@@ -93,7 +114,8 @@ impl Beam {
         });
         // An angle is no more than pi/2 times its sine.
         let spread = (FRAC_PI_2 * sine * 1.01) as f32 + ROUNDING;
-        Some(Self { planes, axis: axis.as_vec3(), spread })
+        let middle_ray = MiddleRay::new(&Ray::new(view.origin, axis), middle, spread);
+        Some(Self { planes, axis: axis.as_vec3(), spread, middle_ray })
     }
 
     /// Returns the beam made no wider than `rays` in it, the first and the last of which are in opposite
@@ -130,6 +152,39 @@ impl Beam {
     }
 }
 
+impl MiddleRay {
+    /// Takes the ray of a beam with this `spread`, in a group with this `middle`.
+    fn new(ray: &Ray, middle: DVec3, spread: f32) -> Self {
+        let (place, from_start) = ray.nearest_to(middle);
+        let direction = ray.direction.as_vec3();
+        let far = Vec3::splat(1e15);
+        let place = place.as_vec3().clamp(-far, far);
+        let to_place = (ray.from_camera + from_start) as f32;
+        Self {
+            place,
+            to_place,
+            towards: Vec3::ONE.copysign(direction),
+            reciprocals: direction.abs().max(Vec3::splat(1e-12)).recip(),
+            slack: (spread + ROUNDING) * (place.length() + to_place.abs()),
+        }
+    }
+
+    /// Returns the least distance beyond the middle of the group at which a ray of a beam with this `spread`
+    /// meets each of `boxes`: what it meets, as far from the tip as `most` beyond the middle, the middle ray
+    /// has so near beside it that it is in a larger box.
+    #[inline(always)]
+    fn nearest<S: Simd>(&self, boxes: &BoxesOn<S>, spread: f32, most: F<S>) -> F<S> {
+        let room = (most + self.to_place).max(0.0) * (spread * 1.2) + boxes.farthest() * ROUNDING;
+        let mut entry = all(most.simd, f32::NEG_INFINITY);
+        for axis in 0..3 {
+            let (middles, halves) = boxes.across(axis);
+            let offset = (middles - self.place[axis]) * self.towards[axis];
+            entry = entry.max((offset - halves - room) * self.reciprocals[axis]);
+        }
+        entry - entry.abs() * 1e-5 - self.slack
+    }
+}
+
 impl Plane {
     /// Through `place`, from the middle of the group.
     fn new(normal: DVec3, place: DVec3) -> Self {
@@ -140,6 +195,8 @@ impl Plane {
 }
 
 impl Looks for Beam {
+    const IS_IN_ORDER: bool = true;
+
     #[inline(always)]
     fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S> {
         let boxes = boxes.on(simd);
@@ -149,8 +206,13 @@ impl Looks for Beam {
             excess = excess.max(middles - sizes - (plane.offset + ROUNDING * plane.offset.abs()));
         }
         let (middles, sizes) = boxes.along(self.axis, self.axis.abs());
-        let nearest = middles - sizes - boxes.farthest() * self.spread;
-        select(excess.simd_gt(0.0), all(simd, f32::INFINITY), nearest)
+        let (most, room) = (middles + sizes, boxes.farthest() * self.spread);
+        let mut nearest = middles - sizes - room;
+        if self.spread < MOST_SPREAD {
+            nearest = nearest.max(self.middle_ray.nearest(&boxes, self.spread, most));
+        }
+        let is_behind_tip = (most + room + self.middle_ray.slack + self.middle_ray.to_place).simd_lt(0.0);
+        select(is_behind_tip | excess.simd_gt(0.0), all(simd, f32::INFINITY), nearest)
     }
 }
 
@@ -217,23 +279,39 @@ mod tests {
         Boxes { center: all(center), half: all(half) }
     }
 
+    /// Rays that look from this `distance` at the `middle` of many boxes, and the beam around them.
+    fn beam_of(middle: DVec3, distance: f64, width: f64) -> (Vec<Ray>, Beam) {
+        let (some, many) = (rays(middle, distance, width, 8), rays(middle, distance, width, 32));
+        let (axis, spread) = (some[some.len() / 2].direction.as_vec3(), width as f32);
+        let nothing = Plane { normal: Vec3::ZERO, size: Vec3::ZERO, offset: 1.0 };
+        let middle_ray = MiddleRay::new(&some[some.len() / 2], middle, spread);
+        let wide = Beam { planes: [nothing; 4], axis, spread, middle_ray };
+        (many, wide.around(&some, middle))
+    }
+
+    fn box_of(number: u32) -> [DVec3; 2] {
+        [place(number, 1.0), 0.1 * place(number + 7, 1.0).abs()]
+    }
+
+    /// Returns where `beam` meets the box of this `number` first, and where the first of `rays` does.
+    fn first(number: u32, middle: DVec3, rays: &[Ray], beam: &Beam) -> (f32, Option<f64>) {
+        let [center, half] = box_of(number);
+        let entries = rays.iter().filter_map(|ray| {
+            let [from, until] = inside(ray, middle + center, half)?;
+            (until > -ray.from_camera).then_some(from.max(-ray.from_camera))
+        });
+        let boxes = of_one(center.as_vec3(), half.as_vec3());
+        (dispatch!(Level::new(), simd => beam.nearest(simd, &boxes)[0]), entries.reduce(f64::min))
+    }
+
     #[test]
     fn around_rays_it_meets_what_they_meet_and_hardly_more() {
         let middle = DVec3::new(3.0, -2.0, 1.0);
         for (distance, width) in [(2.0, 0.4), (5.0, 0.1), (1e6, 5e-7), (1e12, 5e-13)] {
-            let square = |side| rays(middle, distance, width, side);
-            let (some, many) = (square(8), square(32));
-            let axis = some[some.len() / 2].direction;
-            let nothing = Plane { normal: Vec3::ZERO, size: Vec3::ZERO, offset: 1.0 };
-            let wide = Beam { planes: [nothing; 4], axis: axis.as_vec3(), spread: width as f32 };
-            let beam = wide.around(&some, middle);
+            let (rays, beam) = beam_of(middle, distance, width);
             let (mut met, mut told) = (0, 0);
             for number in 0..4000 {
-                let (center, half) = (place(number, 1.0), 0.1 * place(number + 7, 1.0).abs());
-                let entries = many.iter().filter_map(|ray| inside(ray, middle + center, half));
-                let first = entries.map(|[from, _]| from).reduce(f64::min);
-                let boxes = of_one(center.as_vec3(), half.as_vec3());
-                let nearest = dispatch!(Level::new(), simd => beam.nearest(simd, &boxes)[0]);
+                let (nearest, first) = first(number, middle, &rays, &beam);
                 if let Some(first) = first {
                     assert!(f64::from(nearest) < first + 1e-5, "{nearest} for {first} from {distance}");
                     met += 1;
@@ -242,5 +320,28 @@ mod tests {
             }
             assert!(met > 100 && told < met + met / 4, "{told} for {met} from {distance}");
         }
+    }
+
+    #[test]
+    fn boxes_behind_the_camera_are_left_out() {
+        let middle = DVec3::new(3.0, -2.0, 1.0);
+        let (mut met, mut behind) = (0, 0);
+        for (distance, width) in [(0.1, 0.05), (-0.4, 0.02), (0.6, 0.09)] {
+            let (rays, beam) = beam_of(middle, distance, width);
+            for number in 0..4000 {
+                let (nearest, first) = first(number, middle, &rays, &beam);
+                if let Some(first) = first {
+                    assert!(f64::from(nearest) < first + 1e-5, "{nearest} for {first} from {distance}");
+                    met += 1;
+                }
+                let [center, half] = box_of(number);
+                let axis = beam.axis.as_dvec3();
+                if center.dot(axis) + half.dot(axis.abs()) + distance < -0.4 {
+                    assert_eq!(nearest, f32::INFINITY, "{number} from {distance}");
+                    behind += 1;
+                }
+            }
+        }
+        assert!(met > 30 && behind > 1000, "{met} {behind}");
     }
 }

@@ -27,8 +27,10 @@ use crate::simd::lanes::{Simd, SimdFloat, bits};
 
 /// A hierarchy is no deeper.
 const DEEPEST: usize = 62;
+/// Greatest number of boxes that wait, in order, while the nearest of them is looked into.
+const MOST_IN_ORDER: usize = 64;
 /// Boxes that wait while others are looked into.
-const MOST_WAITING: usize = WIDTH + DEEPEST * (WIDTH - 1);
+const MOST_WAITING: usize = MOST_IN_ORDER + WIDTH + DEEPEST * (WIDTH - 1);
 
 /// The hierarchy of those bodies of a group that stand still in it.
 #[derive(Debug, Default)]
@@ -131,7 +133,7 @@ impl Hierarchy {
 
     /// Visits candidates as [`Self::along`] does, where the registers `simd` are in use already.
     #[inline(always)]
-    pub fn along_on<S: Simd>(&self, simd: S, looks: &impl Looks, mut visit: impl FnMut(Candidate) -> f32) {
+    pub fn along_on<S: Simd, L: Looks>(&self, simd: S, looks: &L, mut visit: impl FnMut(Candidate) -> f32) {
         if self.nodes.is_empty() {
             return;
         }
@@ -143,7 +145,8 @@ impl Hierarchy {
             let nearest = looks.nearest(simd, &self.nodes[number as usize].boxes);
             let mut met = bits(nearest.simd_lt(farthest));
             let nearest: [f32; WIDTH] = nearest.into();
-            let first = count;
+            // Among a few, the nearest of all is next; among many, the nearest in the last node.
+            let first = if L::IS_IN_ORDER && count <= MOST_IN_ORDER { 0 } else { count };
             while met != 0 {
                 let lane = met.trailing_zeros() as usize % WIDTH;
                 met &= met - 1;

@@ -38,7 +38,12 @@ fn of_place<S: Simd>(
     } else if let Some(paint) = paint {
         light = light.times(paint);
     }
-    shown(effects, light, || tables.unseen(row, place))
+    shown(
+        effects,
+        light,
+        #[inline(always)]
+        || tables.unseen(row, place),
+    )
 }
 
 #[inline(always)]

@@ -162,7 +162,12 @@ pub fn of_street_daylight<S: Simd>(
     };
     let light = on_screen(colour * power_of_two(level + exposure));
     let place = octaves * tables.sunlit_per_octave + tables.sunlit_at_rest;
-    shown(effects, light, || tables.unseen(FIRST_SUNLIT, place))
+    shown(
+        effects,
+        light,
+        #[inline(always)]
+        || tables.unseen(FIRST_SUNLIT, place),
+    )
 }
 
 /// The row of red paint at rest in shifted daylight, before those of green and of blue paint.

@@ -122,7 +122,7 @@ impl Tables {
     #[inline(always)]
     pub fn smooth<S: Simd>(&self, first: usize, shares: V3<S>, place: F<S>) -> (V3<S>, F<S>) {
         let (red, level) = self.colour(first, place);
-        let [green, blue] = [1, 2].map(|next| self.looked_up(first + next, place).0);
+        let (green, blue) = (self.looked_up(first + 1, place).0, self.looked_up(first + 2, place).0);
         (red * shares.x + green * shares.y + blue * shares.z, level)
     }
 
@@ -184,8 +184,9 @@ pub fn on_screen<S: Simd>(light: V3<S>) -> V3<S> {
     let least = light.x.min(light.y).min(light.z).min(0.0);
     let grey = (light.x * 0.2126 + light.y * 0.7152 + light.z * 0.0722).max(0.0);
     let share = grey / (grey - least).max(1e-30);
-    let part = |of: F<S>| select(least.simd_lt(0.0), ((of - grey) * share + grey).max(0.0), of);
-    V3::new(part(light.x), part(light.y), part(light.z))
+    let grey = V3::new(grey, grey, grey);
+    let paler = ((light - grey) * share + grey).at_least(0.0);
+    V3::select(least.simd_lt(0.0), paler, light)
 }
 
 /// `light` as a screen shows it, where it is all but black with this unseen share.

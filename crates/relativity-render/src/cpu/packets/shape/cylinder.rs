@@ -1,12 +1,18 @@
 //! Rays against cylinders with flat ends: `shaders/cylinder.wgsl`.
 
-use super::super::body::{PacketBody, PacketGroup, RestRays, Surface, own_ray};
+use super::super::body::{Limits, PacketBody, PacketGroup, RestRays, Surface, own_ray};
 use super::super::edge::share_of_other;
-use crate::simd::lanes::{F, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
+use crate::simd::lanes::{F, Mask, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
 
 /// Returns the surface of the body where rays meet it.
 #[inline(always)]
-pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
+pub fn surface<S: Simd>(
+    simd: S,
+    group: &PacketGroup,
+    body: &PacketBody<S>,
+    ray: &RestRays<S>,
+    limits: Option<&Limits<S>>,
+) -> Surface<S> {
     let (zero, one) = (all(simd, 0.0), all(simd, 1.0));
     let own = own_ray(simd, body, ray);
     let n = own.direction;
@@ -40,21 +46,18 @@ pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray:
     let shrunk = radius / V2::new(reached.x, reached.y).length().max(radius);
     let place = V3::new(reached.x * shrunk, reached.y * shrunk, clamp(reached.z, -extent, extent));
     let beyond = body.place.dot(ray.direction) + place.dot(n);
+    if let Some(limits) = limits
+        && limits.exclude(ray, clearance, beyond)
+    {
+        return Surface::excluded(simd);
+    }
 
-    // The rim of the end in sight, as an ellipse about that end's middle. Where it is no outline, the side
-    // adjoins.
-    let from_end = y + rise * extent * sine;
-    let rim = ellipse(x, from_end, radius, cosine);
-    let across = body.rest_from_body(off_axis * rim.outward.x + along_axis * rim.outward.y);
-    let is_side = enters_side.simd_gt(enters_end);
-    let width = select(is_side, cosine * chord, extent * sine) * 2.0 * rim.outward.y.abs();
-    let adjoins = is_side | (from_end * rise).simd_gt(0.0);
-    let other = share_of_other(group, rim.inside.abs(), width, across, ray, beyond);
-    let share = select(adjoins, other, zero);
-    let off_axis_length = V2::new(place.x, place.y).length().max(1e-30);
-    let side_normal = V3::new(place.x / off_axis_length, place.y / off_axis_length, zero);
-    let end_normal = V3::new(zero, zero, -rise);
-    let normal = V3::mix(end_normal, side_normal, select(is_side, 1.0 - share, share));
+    let normal = if limits.is_some() {
+        ray.direction
+    } else {
+        let faces = CylinderFaces { image, is_side: enters_side.simd_gt(enters_end), rise, place };
+        body.rest_from_body(faces.normal(group, body, ray, beyond))
+    };
 
     Surface {
         clearance,
@@ -62,11 +65,12 @@ pub fn surface<S: Simd>(simd: S, group: &PacketGroup, body: &PacketBody<S>, ray:
         outward: body.rest_from_body(outward),
         beyond,
         place: body.rest_from_body(place),
-        normal: body.rest_from_body(normal),
+        normal,
     }
 }
 
 /// A cylinder as it is seen along rays.
+#[derive(Clone, Copy)]
 struct CylinderImage<S: Simd> {
     radius: F<S>,
     extent: F<S>,
@@ -80,6 +84,40 @@ struct CylinderImage<S: Simd> {
     chord: F<S>,
     off_axis: V3<S>,
     along_axis: V3<S>,
+}
+
+/// The side of a cylinder and the end in sight of rays, in its own axes.
+struct CylinderFaces<S: Simd> {
+    image: CylinderImage<S>,
+    /// Whether the ray meets the side.
+    is_side: Mask<S>,
+    /// Sign of the ray's direction along the axis.
+    rise: F<S>,
+    place: V3<S>,
+}
+
+impl<S: Simd> CylinderFaces<S> {
+    /// Returns the normal of the surface that is met this far `beyond` the middle of the group: the mean of
+    /// those in a pixel.
+    #[inline(always)]
+    fn normal(&self, group: &PacketGroup, body: &PacketBody<S>, ray: &RestRays<S>, beyond: F<S>) -> V3<S> {
+        let &Self { image, is_side, rise, place } = self;
+        let CylinderImage { radius, extent, sine, cosine, x, y, chord, off_axis, along_axis } = image;
+        let zero = all(beyond.simd, 0.0);
+        // The rim of the end in sight, as an ellipse about that end's middle. Where it is no outline, the
+        // side adjoins.
+        let from_end = y + rise * extent * sine;
+        let rim = ellipse(x, from_end, radius, cosine);
+        let across = body.rest_from_body(off_axis * rim.outward.x + along_axis * rim.outward.y);
+        let width = select(is_side, cosine * chord, extent * sine) * 2.0 * rim.outward.y.abs();
+        let adjoins = is_side | (from_end * rise).simd_gt(0.0);
+        let other = share_of_other(group, rim.inside.abs(), width, across, ray, beyond);
+        let share = select(adjoins, other, zero);
+        let off_axis_length = V2::new(place.x, place.y).length().max(1e-30);
+        let side_normal = V3::new(place.x / off_axis_length, place.y / off_axis_length, zero);
+        let end_normal = V3::new(zero, zero, -rise);
+        V3::mix(end_normal, side_normal, select(is_side, 1.0 - share, share))
+    }
 }
 
 struct CylinderOutline<S: Simd> {

@@ -1,18 +1,18 @@
 //! Rays against bodies of each kind, and the patterns on these.
 
-mod block;
+pub(super) mod block;
 mod cylinder;
 pub(super) mod pattern;
 pub(super) mod ring;
 mod tube;
 
-use super::body::{PacketBody, PacketCapsule, PacketGroup, RestRays, Surface};
+use super::body::{Limits, PacketBody, PacketCapsule, PacketGroup, RestRays, Surface};
 use crate::geometry::kind::Kind;
 use crate::simd::lanes::{F, Simd, V3};
 use pattern::coverage::PixelShifts;
 use pattern::{chart, die};
 
-/// Returns the surface of a body where rays meet it.
+/// Returns the surface of a body where rays meet it. If `limits` exclude it, it is any excluded surface.
 ///
 /// Each kind's test is there once, and called.
 #[inline(always)]
@@ -22,11 +22,12 @@ pub fn surface<S: Simd>(
     group: &PacketGroup,
     body: &PacketBody<S>,
     ray: &RestRays<S>,
+    limits: Option<&Limits<S>>,
 ) -> Surface<S> {
     match kind {
         Kind::Tube => simd.vectorize(
             #[inline(always)]
-            || tube::surface(body, ray),
+            || tube::surface(body, ray, limits),
         ),
         Kind::Ring => simd.vectorize(
             #[inline(always)]
@@ -34,11 +35,11 @@ pub fn surface<S: Simd>(
         ),
         Kind::Box | Kind::Model => simd.vectorize(
             #[inline(always)]
-            || block::surface(simd, group, body, ray),
+            || block::surface(simd, group, body, ray, limits),
         ),
         Kind::Cylinder => simd.vectorize(
             #[inline(always)]
-            || cylinder::surface(simd, group, body, ray),
+            || cylinder::surface(simd, group, body, ray, limits),
         ),
     }
 }

@@ -1,6 +1,6 @@
 //! Rays against cylinders with rounded ends, and balls: `shaders/tube.wgsl`.
 
-use super::super::body::{PacketBody, PacketCapsule, RestRays, Surface};
+use super::super::body::{Limits, PacketBody, PacketCapsule, RestRays, Surface};
 use super::super::ray::nearest_to;
 use crate::simd::lanes::{Simd, SimdFloat, SimdMask, V3, clamp, select};
 
@@ -21,7 +21,7 @@ pub fn around<S: Simd>(body: &PacketBody<S>) -> PacketCapsule<S> {
 
 /// Returns the surface of the body where rays meet it.
 #[inline(always)]
-pub fn surface<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
+pub fn surface<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>, limits: Option<&Limits<S>>) -> Surface<S> {
     let n = ray.direction;
     let anchor = middle(body);
     let half = (body.form - body.place) * 0.5;
@@ -62,12 +62,17 @@ pub fn surface<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>) -> Surface<S> {
         beyond = select(is_cap, beyond_cap, beyond);
         place = V3::select(is_cap, (end - anchor) + (from_end - n * half_cap), place);
     }
+    let clearance = body.radius - miss;
+    if let Some(limits) = limits
+        && limits.exclude(ray, clearance, beyond)
+    {
+        return Surface::excluded(miss.simd);
+    }
     let mut normal = outward;
     let is_hit = miss.simd_lt(body.radius);
-    if is_hit.any_true() {
+    if limits.is_none() && is_hit.any_true() {
         let from_axis = place - axis * clamp(place.dot(axis), -extent, extent);
         normal = V3::select(is_hit, from_axis / from_axis.length().max(1e-30), normal);
     }
-    let clearance = body.radius - miss;
     Surface { clearance, half_width: body.radius, outward, beyond, place, normal }
 }

@@ -225,7 +225,7 @@ fn found<S: Simd>(simd: S, case: &Case, [u, v]: &[[f32; LANES]; 2]) -> [Found; L
     let sight = line_of_sight(simd, &case.frame, F::simd_from(simd, *u), F::simd_from(simd, *v));
     let ray = rest_ray(simd, &group, sight);
     let turning = TurningBody { kind, turns, group, body, spin };
-    let met = turning.surface_when_shown(simd, &ray);
+    let met = turning.surface_when_shown(simd, &ray, None);
     let across = ray.direction.cross(V3::all(simd, [0.3, -0.5, 0.8]));
     let across = across / across.length();
     let moved: V2<S> = movement_of(&group, &ray, across);

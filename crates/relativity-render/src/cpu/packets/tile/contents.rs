@@ -75,16 +75,26 @@ impl<S: Simd, const N: usize> Packet<S, N> {
         farthest
     }
 
-    /// Returns the distance beyond which nothing is seen in the packet.
+    /// Returns the distance behind which nothing is seen in the packet, beyond the middle of the group and
+    /// from the eye.
     #[inline(always)]
-    pub(super) fn reach(&self, simd: S) -> f32 {
-        self.farthest(simd).as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max)
+    pub(super) fn reach(&self, simd: S) -> [f32; 2] {
+        let farthest = self.farthest(simd);
+        let [mut beyond, mut from_eye] = [f32::NEG_INFINITY; 2];
+        for (farthest, to_centre) in farthest.as_slice().iter().zip(self.ray.to_centre.as_slice()) {
+            beyond = beyond.max(*farthest);
+            from_eye = from_eye.max(farthest + to_centre);
+        }
+        [beyond, from_eye]
     }
 
     /// Replaces distances beyond the middle of a group by depths among all.
     #[inline(always)]
     pub(super) fn compare_depths(&mut self, group: &PacketGroup<'_>, among_others: Option<AmongOthers>) {
         for nearest in self.solid.iter_mut().chain(&mut self.thin) {
+            if nearest.is_empty() {
+                continue;
+            }
             let depth = depth(group, among_others, &self.ray, nearest.beyond);
             nearest.beyond = select(nearest.owner.simd_lt(0.0), nearest.beyond, -depth);
         }
@@ -114,6 +124,13 @@ impl<S: Simd, const N: usize> TileContents<S, N> {
     pub fn model(&self, place: usize, owner: usize) -> Option<&[Meetings<S>; N]> {
         let part = self.models.iter().find(|part| (part.place, part.owner) == (place, owner))?;
         Some(&part.samples)
+    }
+
+    /// Whether bodies of more than one group are seen, or were before something nearer was found.
+    pub(super) fn is_of_several_groups(&self) -> bool {
+        // They come group by group.
+        let [first, last] = [self.owners.first(), self.owners.last()];
+        first.map(|owner| owner.group) != last.map(|owner| owner.group)
     }
 
     /// Tells the nearest of several groups, of equally near ones the first, and forgets the rest.
@@ -155,6 +172,12 @@ impl<S: Simd> NearestHits<S> {
     #[inline(always)]
     fn none(simd: S) -> Self {
         Self { beyond: all(simd, f32::INFINITY), owner: all(simd, NONE) }
+    }
+
+    /// Whether no pixel has a body.
+    #[inline(always)]
+    fn is_empty(&self) -> bool {
+        self.owner.simd_lt(0.0).all_true()
     }
 
     /// Takes a surface this far `beyond` of the body of this `number`, which will be `at` that place in the

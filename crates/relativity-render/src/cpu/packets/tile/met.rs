@@ -26,7 +26,7 @@ impl<'a, S: Simd> Met<'a, S> {
     pub fn new<const N: usize>(simd: S, look: &'a Look<'a>, owner: Owner, packet: &'a Packet<S, N>) -> Self {
         let (seen, ray) = (look.seen(owner.number), &packet.ray);
         let turning = TurningBody::new(simd, look.group(owner.group), &seen);
-        let surface = turning.surface_when_shown(simd, ray);
+        let surface = turning.surface_when_shown(simd, ray, None);
         let test = RayTest::new(simd, &turning.group, turning.kind, &turning.body, ray, surface, N > 1);
         let doppler = turning.doppler(surface.place, surface.normal, ray);
         let distance = test.distance * ray.ground_per_rest;

@@ -7,7 +7,7 @@ mod passing;
 mod ray_test;
 pub(super) mod shading;
 
-use super::body::{PacketBody, PacketGroup};
+use super::body::{Limits, PacketBody, PacketGroup};
 use super::look::{Look, Seen};
 use super::model::{Meetings, ModelPart};
 use super::places::PACKETS;
@@ -41,8 +41,9 @@ struct OfGroup<'a, S: Simd, const N: usize> {
     /// Places of this group's packets among all, for those that were tested.
     places: [Option<usize>; PACKETS],
     middles: Middles<S>,
-    /// Distance of the farthest body that covers a sample, for each packet.
+    /// Distance beyond the middle of the group behind which each packet is covered, and that from the eye.
     farthest: [f32; PACKETS],
+    covered: [f32; PACKETS],
     /// Bodies in several pieces that were tested.
     tested: Vec<u32>,
 }
@@ -79,6 +80,7 @@ impl Look<'_> {
                 places: [None; PACKETS],
                 middles: Middles::new(simd, &group, tile.tile.corner),
                 farthest: [f32::INFINITY; PACKETS],
+                covered: [f32::INFINITY; PACKETS],
                 tested: Vec::new(),
             };
             let first_owner = own.drawn.owners.len();
@@ -102,7 +104,7 @@ impl Look<'_> {
                 drawn.packets[place].owners = owners;
             }
         }
-        if self.views.len() > 1 {
+        if drawn.is_of_several_groups() {
             drawn.compare_depths(simd, self);
         }
         drawn
@@ -137,7 +139,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let simd = self.simd;
         let turning = TurningBody::new(simd, self.group, seen);
         let packets: [i32; PACKETS] = if is_told_about {
-            self.middles.may_show(seen.body.kind, &turning.body, self.farthest).into()
+            self.middles.may_show(seen.body.kind, &turning.body, self.covered).into()
         } else {
             [-1; PACKETS]
         };
@@ -152,8 +154,8 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             // The search along a ring costs far more than to ask this.
             if is_told_about && seen.body.kind == Kind::Ring {
                 let packet = &self.drawn.packets[number];
-                let farthest = packet.farthest(simd);
-                if !may_show_in(seen.body.kind, &turning.body, &packet.ray, pixel, farthest).any_true() {
+                let covered = packet.ray.to_centre + packet.farthest(simd);
+                if !may_show_in(seen.body.kind, &turning.body, &packet.ray, pixel, covered).any_true() {
                     continue;
                 }
             }
@@ -192,10 +194,9 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     ) -> bool {
         let simd = self.simd;
         let ray = &self.drawn.packets[number].ray;
-        let surface = turning.surface_when_shown(simd, ray);
-        // Farther outside than a pixel it is in no sample, and not widened into one.
-        let pixels = (ray.to_centre + surface.beyond).max(0.0) * pixel;
-        if !(surface.clearance + pixels).simd_gt(0.0).any_true() {
+        let limits = Limits { pixel, farthest: self.drawn.packets[number].farthest(simd) };
+        let surface = turning.surface_when_shown(simd, ray, Some(&limits));
+        if limits.exclude(ray, surface.clearance, surface.beyond) {
             return false;
         }
         let test = RayTest::new(simd, &turning.group, turning.kind, &turning.body, ray, surface, N > 1);
@@ -219,7 +220,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             }
         }
         if is_in_solid {
-            self.farthest[packet.place] = packet.reach(simd);
+            [self.farthest[packet.place], self.covered[packet.place]] = packet.reach(simd);
         }
         is_in_solid || is_in_thin
     }
@@ -265,7 +266,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             is_seen |= solid.take(holds, meetings.beyond, at, seen.number, &self.drawn.owners);
         }
         if is_seen {
-            self.farthest[place] = packet.reach(simd);
+            [self.farthest[place], self.covered[place]] = packet.reach(simd);
             self.drawn.models.push(ModelPart { place, owner, samples });
         }
         is_seen

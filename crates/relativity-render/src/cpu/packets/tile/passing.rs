@@ -3,7 +3,7 @@
 use crate::cpu::packets::body::{PacketBody, PacketGroup, RestRays};
 use crate::cpu::packets::places::{PACKETS, packet_places};
 use crate::cpu::packets::ray::{corner_sights, line_of_sight, nearest_to, rest_ray};
-use crate::cpu::packets::shape::{around, ring};
+use crate::cpu::packets::shape::{around, block, ring};
 use crate::geometry::kind::Kind;
 use crate::simd::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, clamp, select};
 
@@ -57,8 +57,8 @@ impl<S: Simd> Middles<S> {
         all(self.pixel.simd, self.pixel[place])
     }
 
-    /// Returns those packets that `body` may be seen in, unless all of it is farther there than the
-    /// `farthest` of what covers them.
+    /// Returns those packets that `body` may be seen in, unless all of it is farther from the eye there than
+    /// the `farthest` of what covers them.
     #[inline(always)]
     pub fn may_show(&self, kind: Kind, body: &PacketBody<S>, farthest: [f32; PACKETS]) -> Mask<S> {
         let farthest = F::simd_from(self.spread.simd, farthest);
@@ -67,7 +67,7 @@ impl<S: Simd> Middles<S> {
 }
 
 /// Returns where `body` may be seen within this `spread` of a ray per distance, unless all of it is farther
-/// than this.
+/// from the eye than this.
 #[inline(always)]
 pub fn may_show<S: Simd>(
     kind: Kind,
@@ -81,24 +81,35 @@ pub fn may_show<S: Simd>(
     let anchor = (capsule.place + capsule.end) * 0.5;
     let half = (capsule.end - capsule.place) * 0.5;
     let extent = half.length();
-    let axis = half * (1.0 / extent.max(1e-30));
-    let nearest = nearest_to(anchor, ray);
-    let cosine = axis.dot(n);
-    let across: V3<S> = axis.cross(n);
-    let sine_squared = across.dot(across).max(1e-12);
-    let closest = nearest.dot(axis) / sine_squared;
-    let on_segment = clamp(closest, -extent, extent);
-    let miss = nearest + (n * cosine - axis) * on_segment;
-    let along = anchor.dot(n);
     let longest = extent + capsule.radius;
-    // A miss that is no number is none.
-    let mut off = miss.length() * (1.0 - 1e-5) - capsule.radius * (1.0 + 1e-5);
-    if kind == Kind::Ring {
-        off = off.max(ring::least_miss(body, ray) * (1.0 - 1e-5) - longest * 1e-5);
-    }
-    let is_off = off.simd_gt((ray.to_centre + along + longest).max(0.0) * spread);
-    let room = (spread + 1e-5) * (anchor.length() + longest);
-    let begins = along - cosine.abs() * extent - capsule.radius - room;
-    let is_behind = begins.simd_gt(farthest);
+    let along = anchor.dot(n);
+    let most = (ray.to_centre + along + longest).max(0.0) * spread;
+    let rounding = (anchor.length() + longest) * 1e-5;
+    let (is_off, begins) = match kind {
+        Kind::Box | Kind::Model => {
+            // Within `most` of the middle ray is what other rays meet, so that it meets a box so much larger.
+            let [enters, leaves] = block::passage(body, ray, most + rounding);
+            let is_off = (enters - leaves).simd_gt((enters.abs() + leaves.abs()) * 1e-5);
+            (is_off, enters)
+        }
+        Kind::Tube | Kind::Ring | Kind::Cylinder => {
+            let axis = half * (1.0 / extent.max(1e-30));
+            let nearest = nearest_to(anchor, ray);
+            let cosine = axis.dot(n);
+            let across: V3<S> = axis.cross(n);
+            let sine_squared = across.dot(across).max(1e-12);
+            let closest = nearest.dot(axis) / sine_squared;
+            let on_segment = clamp(closest, -extent, extent);
+            let miss = nearest + (n * cosine - axis) * on_segment;
+            // A miss that is no number is none.
+            let mut off = miss.length() * (1.0 - 1e-5) - capsule.radius * (1.0 + 1e-5);
+            if kind == Kind::Ring {
+                off = off.max(ring::least_miss(body, ray) * (1.0 - 1e-5) - longest * 1e-5);
+            }
+            (off.simd_gt(most), -cosine.abs() * extent - capsule.radius)
+        }
+    };
+    let from_eye = ray.to_centre + along + begins;
+    let is_behind = (from_eye - from_eye.abs() * 1e-5 - most - rounding).simd_gt(farthest);
     !(is_off | is_behind)
 }

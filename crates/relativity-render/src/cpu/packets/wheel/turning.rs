@@ -3,7 +3,7 @@
 
 use super::course::SweptRays;
 use super::spin::{PacketSpin, about_y, later, sine_cosine, velocity_at};
-use crate::cpu::packets::body::{PacketBody, PacketGroup, RestRays, Surface};
+use crate::cpu::packets::body::{Limits, PacketBody, PacketGroup, RestRays, Surface};
 use crate::cpu::packets::look::Seen;
 use crate::cpu::packets::ray::{nearest_to, passage};
 use crate::cpu::packets::shape::{around, middle, surface};
@@ -54,11 +54,12 @@ impl<'a, S: Simd> TurningBody<'a, S> {
         Self { kind, turns, group, body: PacketBody::new(simd, &shown.placement), spin }
     }
 
-    /// Returns the surface of the body where rays meet it as it is shown.
+    /// Returns the surface of the body where rays meet it as it is shown; if `limits` exclude it, it may be
+    /// any excluded surface.
     #[inline(always)]
-    pub fn surface_when_shown(&self, simd: S, ray: &RestRays<S>) -> Surface<S> {
+    pub fn surface_when_shown(&self, simd: S, ray: &RestRays<S>, limits: Option<&Limits<S>>) -> Surface<S> {
         if self.turns != Turns::About {
-            return surface(simd, self.kind, &self.group, &self.body, ray);
+            return surface(simd, self.kind, &self.group, &self.body, ray, limits);
         }
         simd.vectorize(
             #[inline(always)]
@@ -107,7 +108,7 @@ impl<'a, S: Simd> TurningBody<'a, S> {
             let moment = direction.cross(place);
             let to_centre = ray.to_centre + (hub_along + s) - along;
             let tangent = RestRays { direction, moment, to_centre, ..*ray };
-            let mut round = surface(simd, *kind, group, body, &tangent);
+            let mut round = surface(simd, *kind, group, body, &tangent, None);
             let reached = clamp(s + (round.beyond - along) / rate, start - reach, start + reach);
             // The curve departs from its tangent by no more than about this.
             let off = spin.omega.abs() * (reached - s) * (reached - s);
