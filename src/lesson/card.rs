@@ -1,10 +1,11 @@
 //! Pictures of lessons and presets for their cards. They ship with the program; `examples/cards.rs` makes
 //! them.
 
+use anyhow::Context as _;
 use relativity_render::Picture;
 
 use super::library;
-use super::plan::Lesson;
+use super::plan::{CardPicture, Lesson};
 use crate::flags::choices::{Layout, RendererChoice, Size};
 use crate::settings::{PictureSettings, Preset, QualitySettings, Settings};
 use crate::studio::Studio;
@@ -21,15 +22,15 @@ pub fn shipped(lesson: &Lesson) -> Option<&'static [u8]> {
     library::card(&lesson.name).or_else(|| Preset::named(&lesson.name).map(|preset| preset.card))
 }
 
-/// Returns the settings of the picture of `lesson`: the preset that it names, else its first step after the
-/// reveal, as the left eye sees it.
+/// Returns the settings of the picture of `lesson`: the preset or the step that it names, else its first
+/// step, after the reveal; as the left eye sees it.
 ///
 /// # Errors
 /// A setting that cannot be.
 pub fn settings(lesson: &Lesson) -> anyhow::Result<Settings> {
-    let settings = match lesson.card.as_deref().and_then(Preset::named) {
-        Some(preset) => preset.settings.clone(),
-        None => lesson.settings(0, true, &Settings::default())?,
+    let settings = match &lesson.card {
+        CardPicture::Preset(name) => Preset::named(name).context("it was read")?.settings.clone(),
+        CardPicture::Step(step) => lesson.settings(*step, true, &Settings::default())?,
     };
     let picture =
         PictureSettings { size: Size(SIZE), layout: Layout::Left, labels: false, ..settings.picture };

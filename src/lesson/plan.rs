@@ -53,6 +53,15 @@ pub(super) fn line_giving(key: &str, toml: &str) -> Option<usize> {
     })
 }
 
+/// What the card of a lesson shows.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub enum CardPicture {
+    /// The preset of this name.
+    Preset(String),
+    /// The step of this number, from 0, after its reveal.
+    Step(usize),
+}
+
 /// A lesson, as its file describes it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Lesson {
@@ -68,8 +77,8 @@ pub struct Lesson {
     pub order: u32,
     /// Title of its chapter on the start page; empty for a preset.
     pub chapter: String,
-    /// Name of the preset that its card shows, if not its first step.
-    pub card: Option<String>,
+    /// The picture on its card.
+    pub card: CardPicture,
     /// The concept of the Relativity Concept Inventory that it serves; empty for a state that only shows
     /// something.
     pub concept: String,
@@ -258,7 +267,7 @@ impl Lesson {
             title: preset.title.clone(),
             order: u32::MAX,
             chapter: String::new(),
-            card: None,
+            card: CardPicture::Step(0),
             concept: String::new(),
             minutes: 1,
             introduction: text(&preset.caption),

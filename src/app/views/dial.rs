@@ -23,6 +23,10 @@ const RADII: [f32; 2] = [9.5, 20.0];
 const RADIUS_SHARE: f32 = 0.035;
 /// From the middle of the marker to the nearest of the rim, points.
 const AWAY: f32 = 15.0;
+/// The steps by which a dial moves away from its marker to leave what moves there in sight, points, and how
+/// many of them it takes at most, as a part of the view's height. Where all that way is taken it stays near.
+const STEP_AWAY: f32 = 8.0;
+const FARTHEST: f32 = 0.4;
 /// Room below the resting clock for its count and a line of the view's own, points.
 const BELOW_RESTING: f32 = 56.0;
 /// Room between the dial and the edge of the view.
@@ -119,13 +123,15 @@ pub struct DialPlacement {
     pub marker: Pos2,
     /// The view that contains the dial.
     pub view: Rect,
+    /// How much farther from the marker than usual the dial stands, points.
+    pub farther: f32,
     /// Colour of the dial's rim, and of the line from the marker.
     pub colour: Color32,
 }
 
 /// Draws `dial`, with its `name` for assistive technology and its `tip` for hovering.
 pub fn show(ui: &Ui, dial: Dial, drawn: DialPlacement, name: &str, tip: String) {
-    let (centre, radius) = face(drawn.marker, drawn.view);
+    let (centre, radius) = face(drawn.marker, drawn.view, drawn.farther);
     let outwards = (centre - drawn.marker).normalized();
     let [near, far] = [drawn.marker + 7.0 * outwards, centre - radius * outwards];
     ui.painter().with_clip_rect(drawn.view).line_segment([near, far], Stroke::new(1.5, drawn.colour));
@@ -195,20 +201,37 @@ fn radius(view: Rect) -> f32 {
     (RADIUS_SHARE * view.height()).clamp(RADII[0], RADII[1])
 }
 
-/// Middle and radius of the face beside a `marker`: above it to the right, else where there is room in the
-/// `view`.
-fn face(marker: Pos2, view: Rect) -> (Pos2, f32) {
+/// Middle and radius of the face beside a `marker`, this much `farther` away than usual: above it to the
+/// right, else where there is room in the `view`.
+fn face(marker: Pos2, view: Rect, farther: f32) -> (Pos2, f32) {
     let radius = radius(view);
-    let (room, away) = (view.shrink(radius + MARGIN), (AWAY + radius) * std::f32::consts::FRAC_1_SQRT_2);
-    let x = if marker.x + away > room.max.x { -away } else { away };
-    let y = if marker.y - away < room.min.y { away } else { -away };
-    (marker + vec2(x, y), radius)
+    let (room, near) = (view.shrink(radius + MARGIN), AWAY + radius);
+    let part = std::f32::consts::FRAC_1_SQRT_2;
+    let x = if marker.x + part * near > room.max.x { -part } else { part };
+    let y = if marker.y - part * near < room.min.y { part } else { -part };
+    (marker + (near + farther) * vec2(x, y), radius)
 }
 
-/// The place of the dial beside a `marker` in the `view`.
+/// Returns how much farther than usual from its `marker` a dial stands in the `view` to cover nothing that
+/// moves there, as `is_taken` says of a place.
 #[must_use]
-pub fn place(marker: Pos2, view: Rect) -> Rect {
-    let (centre, radius) = face(marker, view);
+pub fn farther(marker: Pos2, view: Rect, is_taken: impl Fn(Pos2) -> bool) -> f32 {
+    let room = view.shrink(radius(view) + MARGIN);
+    let covers = |&away: &f32| {
+        let (centre, radius) = face(marker, view, away);
+        let rim = (0..8).map(|eighth| centre + radius * towards(f64::from(eighth) / 8.0));
+        std::iter::once(centre).chain(rim).any(&is_taken)
+    };
+    let steps = (FARTHEST * view.height() / STEP_AWAY) as u16;
+    let ways = (0..=steps).map(|step| STEP_AWAY * f32::from(step));
+    let mut within = ways.take_while(|&away| away == 0.0 || room.contains(face(marker, view, away).0));
+    within.find(|away| !covers(away)).unwrap_or(0.0)
+}
+
+/// The place of the dial beside a `marker` in the `view`, this much `farther` away than usual.
+#[must_use]
+pub fn place(marker: Pos2, view: Rect, farther: f32) -> Rect {
+    let (centre, radius) = face(marker, view, farther);
     Rect::from_center_size(centre, Vec2::splat(2.0 * radius))
 }
 
@@ -345,7 +368,7 @@ mod tests {
         let view = Rect::from_min_max(pos2(0.0, 0.0), pos2(300.0, 200.0));
         for marker in [[150.0, 100.0], [3.0, 3.0], [297.0, 3.0], [3.0, 197.0], [297.0, 197.0]].map(Pos2::from)
         {
-            let (centre, radius) = face(marker, view);
+            let (centre, radius) = face(marker, view, 0.0);
             assert!(
                 view.contains_rect(Rect::from_center_size(centre, Vec2::splat(2.0 * radius))),
                 "{marker}"
@@ -353,5 +376,20 @@ mod tests {
             // 6 is the radius of the marker of the selected point.
             assert!(centre.distance(marker) > radius + 6.0 + 3.0, "{marker}");
         }
+    }
+
+    /// Of a disc of 40 points around the marker nothing is covered, and of one as large as the view the dial
+    /// does not flee.
+    #[test]
+    fn a_dial_leaves_what_moves_in_sight() {
+        let view = Rect::from_min_max(pos2(0.0, 0.0), pos2(300.0, 200.0));
+        let marker = pos2(150.0, 120.0);
+        let away = farther(marker, view, |place| place.distance(marker) < 40.0);
+        let (centre, radius) = face(marker, view, away);
+        let gap = centre.distance(marker) - radius - 40.0;
+        assert!((0.0..STEP_AWAY).contains(&gap), "{gap}");
+        assert!(view.contains_rect(place(marker, view, away)));
+        assert_eq!(farther(marker, view, |_| true).to_bits(), 0.0_f32.to_bits());
+        assert_eq!(farther(marker, view, |_| false).to_bits(), 0.0_f32.to_bits());
     }
 }

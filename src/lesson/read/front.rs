@@ -4,6 +4,7 @@ use gamow_platform::messages;
 
 use super::limits::check_name;
 use super::wrong::Wrong;
+use crate::lesson::plan::CardPicture;
 use crate::settings::Preset;
 
 /// The front matter of a lesson.
@@ -11,7 +12,7 @@ pub struct FrontMatter {
     pub title: String,
     pub order: u32,
     pub chapter: String,
-    pub card: Option<String>,
+    pub card: CardPicture,
     pub concept: String,
     pub minutes: u32,
 }
@@ -36,7 +37,7 @@ impl FrontMatter {
             title: String::new(),
             order: LAST,
             chapter: OWN_CHAPTER.to_owned(),
-            card: None,
+            card: CardPicture::Step(0),
             concept: String::new(),
             minutes: 10,
         };
@@ -79,9 +80,10 @@ impl FrontMatter {
             "title" => value.clone_into(&mut self.title),
             "chapter" if value.is_empty() => OWN_CHAPTER.clone_into(&mut self.chapter),
             "chapter" => value.clone_into(&mut self.chapter),
-            "card" if Preset::named(value).is_some() => self.card = Some(value.to_owned()),
             "card" => {
-                return Err(format!("{key} = {}: must be the name of a preset", messages::excerpt(value)));
+                self.card = card(value).ok_or_else(|| {
+                    format!("{key} = {}: must be the name of a preset, or `step 3`", messages::excerpt(value))
+                })?
             }
             "concept" => value.clone_into(&mut self.concept),
             "order" => self.order = whole(value)?,
@@ -96,4 +98,12 @@ impl FrontMatter {
         }
         Ok(())
     }
+}
+
+/// Returns the picture that `value` names: a preset, or a step by its number from 1.
+fn card(value: &str) -> Option<CardPicture> {
+    let Some(number) = value.strip_prefix("step ") else {
+        return Preset::named(value).map(|preset| CardPicture::Preset(preset.name.to_owned()));
+    };
+    number.trim().parse::<usize>().ok()?.checked_sub(1).map(CardPicture::Step)
 }

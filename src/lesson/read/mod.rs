@@ -16,8 +16,8 @@ use self::parts::{BLOCKS, FencedBlock, Outline, Part};
 use self::wrong::Wrong;
 use super::error::LessonError;
 use super::plan::{
-    Animated, Animation, AnswerKind, Choices, CurveAnswer, Lab, Lesson, Number, PointAt, Prediction, Reveal,
-    StateBlock, Step, Text, line_giving,
+    Animated, Animation, AnswerKind, CardPicture, Choices, CurveAnswer, Lab, Lesson, Number, PointAt,
+    Prediction, Reveal, StateBlock, Step, Text, line_giving,
 };
 use super::values;
 use crate::files::syntax;
@@ -113,6 +113,11 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
         return Err((1, "a lesson has at least one step: a line that begins with `## `".to_owned()));
     }
     let FrontMatter { title, order, chapter, card, concept, minutes } = front;
+    if let CardPicture::Step(step) = card
+        && step >= steps.len()
+    {
+        return Err((1, format!("card = step {}: there are {} steps", step + 1, steps.len())));
+    }
     let (name, source_name) = (name.to_owned(), source_name.to_owned());
     let lesson = Lesson {
         name,

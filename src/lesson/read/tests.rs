@@ -133,6 +133,8 @@ fn what_is_wrong_is_named_with_its_line() {
     let cases = [
         ("title: Rods\n", "", "rods.md:5: a lesson needs a title"),
         ("order: 1", "oder: 1", "rods.md:3: unknown key `oder`"),
+        ("order: 1", "card: rod", "rods.md:3: card = rod: must be the name of a preset, or `step 3`"),
+        ("order: 1", "card: step 3", "rods.md:1: card = step 3: there are 2 steps"),
         ("minutes: 8", "minutes: soon", "rods.md:5: minutes = soon: must be a whole number"),
         ("### Explain", "### Because", "rods.md:44: unknown part `Because`"),
         ("- [x] longer,", "- [ ] longer,", "rods.md:21: a list of choices has at least two"),

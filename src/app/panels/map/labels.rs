@@ -19,7 +19,7 @@ impl MapLabels {
     }
 
     /// Writes `text` beside a mark of this `radius` at `place`, on the side where it covers least; not at all
-    /// where it would cover another label or leave the room.
+    /// where it would cover another label or leave the room. Returns whether it was written.
     pub fn write(
         &mut self,
         painter: &Painter,
@@ -27,12 +27,13 @@ impl MapLabels {
         text: &str,
         font: FontId,
         colour: Color32,
-    ) {
+    ) -> bool {
         let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
         let beside = Area::beside(place, radius, galley.size());
-        let Some(rect) = self.places.take_free(beside).map(Rect::from) else { return };
+        let Some(rect) = self.places.take_free(beside).map(Rect::from) else { return false };
         painter.rect_filled(rect, 2.0, self.background.gamma_multiply(0.6));
         painter.galley(rect.min, galley, colour);
+        true
     }
 
     /// Writes `text` at `place` and nowhere else, where it is free.

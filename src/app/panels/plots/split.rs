@@ -1,16 +1,26 @@
-//! A tab of two parts: a table on the right, and plots on the left where there is room for them.
+//! A tab of two parts: a table on the right, and plots on the left where there is room for them, or above.
 
 use eframe::egui::{Rect, Ui, UiBuilder, pos2};
 
 use crate::app::widgets::theme;
 
-/// The table and the plots inside `area`: in one that leaves the plots less than `least_plots` there is the
-/// table alone.
+/// Height of the plots where they stand above the table, as a share of both, and least height of both.
+const SHARE_ABOVE: f32 = 0.55;
+const LEAST_TOGETHER: f32 = 170.0;
+
+/// The table and the plots inside `area`: in one that leaves the plots beside the table less than
+/// `least_plots` they stand above it, and in one that is low as well there is the table alone.
 pub fn table_and_plots(area: Rect, table_width: f32, least_plots: f32) -> (Rect, Option<Rect>) {
     let split = area.max.x - table_width;
     let plots = Rect::from_min_max(area.min, pos2(split - theme::GAP, area.max.y));
     if plots.width() < least_plots {
-        return (area, None);
+        let middle = area.min.y + SHARE_ABOVE * area.height();
+        let above = area.with_max_y(middle - theme::GAP);
+        return if area.height() < LEAST_TOGETHER {
+            (area, None)
+        } else {
+            (area.with_min_y(middle), Some(above))
+        };
     }
     (Rect::from_min_max(pos2(split, area.min.y), area.max), Some(plots))
 }

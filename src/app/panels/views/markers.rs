@@ -1,7 +1,7 @@
 //! Markers at the places where an eye sees the followed points, and their clocks.
 
 use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, TextStyle, Ui, Vec2, vec2};
-use relativity_render::{PreparedScene, View};
+use relativity_render::{Motion, PreparedScene, View};
 
 use crate::app::state::State;
 use crate::app::state::points::Point;
@@ -64,7 +64,11 @@ pub fn marked(state: &State, pane: EyePane) -> Vec<Rect> {
         is_inside.then(|| {
             let ring = Rect::from_center_size(place, Vec2::splat(2.0 * LARGEST_RING));
             let has_clock = state.dial(point, pane.eye).is_some();
-            let with_clock = if has_clock { ring.union(dial::place(place, pane.rect)) } else { ring };
+            let with_clock = if has_clock {
+                ring.union(dial::place(place, pane.rect, farther(state, pane, place)))
+            } else {
+                ring
+            };
             let has_distance = state.document.settings.window.distances;
             if has_distance { with_clock.union(below(place)) } else { with_clock }
         })
@@ -91,9 +95,18 @@ fn is_in_turn(state: &State) -> bool {
 fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     let Some(dial) = state.dial(point, pane.eye) else { return };
     let colour = theme::point_colour(point.number, ui.visuals());
-    let drawn = DialPlacement { marker: place, view: pane.rect, colour };
+    let drawn =
+        DialPlacement { marker: place, view: pane.rect, farther: farther(state, pane, place), colour };
     let name = format!("Clock of {}, {}", state.name_of(point), pane.eye.name());
     dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
+}
+
+/// How much farther from its marker at this `place` a clock stands in `pane` to cover no moving body.
+fn farther(state: &State, pane: EyePane, place: Pos2) -> f32 {
+    dial::farther(place, pane.rect, |place| {
+        let seen = state.point_at(pane.eye, pane.pixel(place), pane.size);
+        seen.is_some_and(|(track, _)| track.motion == Motion::Scene)
+    })
 }
 
 /// Writes the seen distance of the point below its marker at `place`, if distances are switched on.

@@ -68,6 +68,8 @@ const BAR_HEIGHT: f32 = 38.0;
 const LESSON_WIDTH: f32 = 308.0;
 const LESSON_STRIP_WIDTH: f32 = 40.0;
 const LESSON_SHARE: f32 = 0.5;
+/// Height that plots or a map have above a lesson at the bottom that asks about them.
+const HEIGHT_ASKED_FOR: f32 = 190.0;
 /// Least share of an upright window that the panel of a lesson at its bottom leaves to the rest.
 const LEAST_ABOVE_LESSON: f32 = 0.38;
 /// Narrower windows than this have no room for the panel of a lesson and the controls.
@@ -126,7 +128,9 @@ impl WindowLayout {
         let speed_height = if is_narrow && window.controls { SPEED_HEIGHT } else { 0.0 };
         // What a lesson switches on it asks about.
         let is_asked_for = lesson == LessonPart::Panel && (window.plots || window.map == Presence::On);
-        let (lesson, below) = lesson.split_off(below, arranged, speed_height + TIMELINE_HEIGHTS[1]);
+        let asked_for = if is_asked_for { HEIGHT_ASKED_FOR } else { 0.0 };
+        let (lesson, below) =
+            lesson.split_off(below, arranged, speed_height + TIMELINE_HEIGHTS[1] + asked_for);
         let area = whole.with_min_x(below.min.x);
         let (centre, side) = if with_side { split_side(below, area, window) } else { (below, None) };
         let SideParts { controls, map: map_aside, readout } =

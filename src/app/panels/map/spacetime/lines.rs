@@ -18,6 +18,8 @@ const DASH: f32 = 6.0;
 const SPACE: f32 = 4.0;
 /// Eyes that are further apart than this have names of their own, points.
 const EYES_APART: f32 = 60.0;
+/// Where on its line a present is named, as a part of the line that is shown: at the first place that is free.
+const NOW_NAMES: [f32; 4] = [0.9, 0.7, 0.5, 0.25];
 
 /// Draws lines of simultaneity, light cones, world lines and rays.
 pub fn paint(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
@@ -209,7 +211,7 @@ fn upper([first, last]: [Pos2; 2]) -> Pos2 {
 pub fn name(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     let font = TextStyle::Small.resolve(sheet.ui.style());
     let mut write = |place: Pos2, text: &str, colour: Color32| {
-        labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour);
+        labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour)
     };
     let number = number_of_nows(sheet);
     let names = if number == 1 {
@@ -225,7 +227,8 @@ pub fn name(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
     let nows = sheet.diagram.nows().into_iter().take(number);
     for ((line, name), colour) in nows.zip(names).zip(now_colours(sheet)) {
         if let Some([left, right]) = shown(sheet, line) {
-            write(left.lerp(right, 0.9), &name, colour);
+            let places = NOW_NAMES.map(|part| left.lerp(right, part));
+            let _written = places.into_iter().any(|place| write(place, &name, colour));
         }
     }
     let selected = (sheet.state.document.points.selected(), sheet.diagram);
@@ -241,7 +244,7 @@ pub fn name(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
 }
 
 /// When the light left, where that is too far off to be shown.
-fn name_far_event(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+fn name_far_event(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32) -> bool) {
     let [_, ray] = sheet.diagram.rays;
     if sheet.room().contains(sheet.place(ray.left)) {
         return;
@@ -257,7 +260,7 @@ fn name_far_event(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, C
 }
 
 /// The eyes by one name where they are close together.
-fn name_eyes(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+fn name_eyes(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32) -> bool) {
     let visuals = sheet.ui.visuals();
     let tops = sheet.diagram.eyes().map(|eye| shown(sheet, eye).map(upper));
     match tops {
@@ -275,7 +278,7 @@ fn name_eyes(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color3
 }
 
 /// The cone, and the light that runs along x, low in the chart.
-fn name_light(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+fn name_light(sheet: &DiagramSheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32) -> bool) {
     let colour = sheet.ui.visuals().weak_text_color();
     let [low, high] = sheet.corners();
     let Some([_, cone]) = sheet.diagram.cones() else { return };
