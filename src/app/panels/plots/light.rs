@@ -25,8 +25,9 @@ use crate::eye::Eye;
 use crate::number_text;
 use crate::plot::{self, BLACK, Dash, Panel};
 
-/// Wavelengths along the plot at which spectra are worked out, less one.
-const STEPS: u32 = 600;
+/// Wavelengths along the plot at which spectra are worked out, less one: in the visible they are about as far
+/// apart as the data of daylight, 1 nm.
+const STEPS: u32 = 2400;
 /// Highest value of the plot, in peaks.
 const TOP: f64 = 1.08;
 /// Height of the strip of visible colours, points.
