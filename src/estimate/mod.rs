@@ -5,6 +5,9 @@ pub mod cause;
 mod command;
 pub mod correction;
 pub mod data;
+pub mod data_file;
+pub mod left_out;
+mod loss;
 pub mod other_side;
 pub mod outliers;
 pub mod residuals;
@@ -18,6 +21,7 @@ use relativity_core::{
 use serde::{Deserialize, Serialize};
 
 use crate::number_text;
+use loss::LossReport;
 use outliers::Outlier;
 use residuals::Residuals;
 
@@ -38,6 +42,9 @@ pub struct FitReport {
     /// Place of the point on its wheel, if it is on one: y, z and x0 are its hub's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wheel: Option<WheelPlace>,
+    /// The loss function, unless it is linear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loss: Option<LossReport>,
     /// Fit of all curves together.
     #[serde(flatten)]
     pub fit: CurvesFit,
@@ -272,6 +279,7 @@ impl FitReport {
         let fit = CurvesFit::new(&joint);
         let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
         let wheel = options.rolling.map(WheelPlace::from);
+        let loss = LossReport::of(&joint.0);
         let of_curve = |attempt: &Option<Attempt>| match attempt {
             Some(Attempt::Fit(fit)) => fit.residuals,
             _ => None,
@@ -288,6 +296,7 @@ impl FitReport {
             converged: true,
             riding: false,
             wheel,
+            loss,
             sigmas,
             fit,
             bootstrap,

@@ -1,5 +1,6 @@
 //! Readings that stand out from those of a fit, by their line in the file.
 
+use relativity_core::fit::standard_deviation;
 use relativity_core::{Fit, Observations, math};
 use serde::{Deserialize, Serialize};
 
@@ -20,8 +21,6 @@ pub struct Outlier {
     pub deviation: f64,
 }
 
-/// Median magnitude of a normal deviate.
-const MEDIAN: f64 = 0.674_489_750_196_082;
 /// Good sets of readings among which one has a reading that stands out by chance.
 const SETS: f64 = 1000.0;
 /// Readings of a curve below which its scatter is not known well enough.
@@ -54,11 +53,8 @@ fn of_curve(fit: &Fit, observations: &Observations, curve: usize) -> Vec<Outlier
     if residuals.len() < LEAST.max(3 * parameters) {
         return Vec::new();
     }
-    let mut sizes: Vec<f64> = residuals.iter().map(|(_, residual, _)| residual.abs()).collect();
-    sizes.sort_by(f64::total_cmp);
-    let count = sizes.len() as f64;
-    // The fit takes out a part of the scatter.
-    let scatter = sizes[sizes.len() / 2] / MEDIAN * (count / (count - parameters as f64)).sqrt();
+    let count = residuals.len() as f64;
+    let scatter = standard_deviation(residuals.iter().map(|(_, residual, _)| residual.abs()), parameters);
     let has_sigmas = residuals.iter().all(|(.., has_sigma)| *has_sigma);
     let scatter = if has_sigmas { scatter.max(1.0) } else { scatter };
     // Of few residuals the median is known badly.
@@ -75,17 +71,21 @@ fn of_curve(fit: &Fit, observations: &Observations, curve: usize) -> Vec<Outlier
         .collect()
 }
 
+/// The name of a reading of a curve, 0 for dphi and 1 for dtheta: by its line, or by when it was taken.
+#[must_use]
+pub fn reading_name(curve: usize, line: Option<u64>, time: f64) -> String {
+    let place = line.map_or_else(|| format!("at T = {time}"), |line| format!("in line {line}"));
+    format!("{} {place}", ["dphi", "dtheta"][curve])
+}
+
 /// Names of at most so many readings.
 const MOST_NAMED: usize = 10;
 
 /// Says which readings stand out; `None` if none does.
 #[must_use]
 pub fn remark(outliers: &[Outlier]) -> Option<String> {
-    let name = |outlier: &Outlier| {
-        let curve = ["dphi", "dtheta"][outlier.curve];
-        let place =
-            outlier.line.map_or_else(|| format!("at T = {}", outlier.time), |line| format!("in line {line}"));
-        format!("{curve} {place} by {}", significant(outlier.deviation, 2))
+    let name = |&Outlier { curve, line, time, deviation, .. }: &Outlier| {
+        format!("{} by {}", reading_name(curve, line, time), significant(deviation, 2))
     };
     let named: Vec<String> = outliers.iter().take(MOST_NAMED).map(name).collect();
     let more = outliers.len().saturating_sub(MOST_NAMED);

@@ -1,11 +1,9 @@
 //! Samples to fit: simulated readings of the selected point, or measured ones from a file.
 
-use std::path::Path;
 use std::sync::Arc;
 
-use anyhow::Context as _;
 use csv::ByteRecord;
-use gamow_platform::{files, shared, sizes};
+use gamow_platform::shared;
 use relativity_core::{
     Aperture, Baseline, Curves, FitOptions, Model, Observations, Parameter, Passage, Rolling, Simulation,
     Source, SourcePoint, Turning, WheelPoint,
@@ -15,7 +13,9 @@ use serde::{Deserialize, Serialize};
 
 use super::cause;
 use super::command::command;
-use super::data::{AssumedUnits, Data, Eyes};
+use super::data::{AssumedUnits, Data};
+use super::data_file::DataFile;
+use super::left_out;
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::CsvWriter;
 use crate::scene::{Scene, Track};
@@ -177,45 +177,6 @@ impl EyeColumns {
     }
 }
 
-/// A file of measured disparities, as it was read.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct DataFile {
-    /// Whole name, for error messages.
-    place: String,
-    /// Name without its folder.
-    pub name: String,
-    bytes: Vec<u8>,
-    /// Whether the file has the standard deviations of its readings.
-    pub has_sigmas: bool,
-    /// Whether the file contains the separation of the eyes.
-    pub has_separation: bool,
-    /// What was done to the file before it was fitted, if anything was.
-    pub treatment: Option<String>,
-}
-
-impl DataFile {
-    /// Opens the file at `path`, whose eyes are held like `baseline` where it does not say.
-    ///
-    /// # Errors
-    ///
-    /// A file that cannot be read, and what is wrong in it, in one line that names the file and the line.
-    pub fn open(path: &Path, baseline: Baseline) -> anyhow::Result<Self> {
-        let place = files::shown(path);
-        let bytes = files::read(path, sizes::FILE_BYTES).with_context(|| place.clone())?;
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let mut file = Self { place, name, bytes, has_sigmas: false, has_separation: false, treatment: None };
-        let data = file.data(baseline)?;
-        (file.has_sigmas, file.has_separation) = (data.has_sigmas, data.has_separation);
-        file.treatment = data.treatment;
-        Ok(file)
-    }
-
-    fn data(&self, baseline: Baseline) -> anyhow::Result<Data> {
-        let eyes = Eyes::unless_told(baseline);
-        Data::read(&self.place, self.bytes.as_slice(), eyes, AssumedUnits::default())
-    }
-}
-
 /// Samples, and how they are fitted.
 #[derive(Debug, Clone)]
 pub struct Fittable {
@@ -247,7 +208,7 @@ impl FitKey {
         let FitSettings { model, curves, fit_x0, noise_percent, .. } = self.setup;
         let options = |curves, known: f64, rolling| {
             let passage = if fit_x0 { Passage::Fitted } else { Passage::Known(known) };
-            FitOptions { model, curves, passage, rolling }
+            FitOptions { model, curves, passage, rolling, ..FitOptions::default() }
         };
         match &self.samples {
             Samples::Simulated(simulated) => Ok(Fittable {
@@ -260,6 +221,7 @@ impl FitKey {
                 let data = file.data(*baseline).map_err(|error| format!("{error:#}"))?;
                 let curves = data.curves(Some(curves).filter(|curves| *curves != Curves::Both));
                 let Data { observations, said, lines, .. } = data;
+                let observations = left_out::without(&observations, &file.left_out);
                 Ok(Fittable { observations, options: options(curves, 0.0, None), said, lines })
             }
         }
@@ -269,9 +231,18 @@ impl FitKey {
     /// does not, with the command that uses it.
     #[must_use]
     pub fn cause(&self, samples: &Fittable, rms: f64) -> Option<String> {
-        let Samples::Measured(file, _) = &self.samples else { return None };
+        let file = self.file()?;
         let cause = cause::find(&samples.observations, &samples.options, Some(rms), samples.said)?;
         Some(cause.told(&file.name, ""))
+    }
+
+    /// The file that the samples are from, if there is one.
+    #[must_use]
+    pub fn file(&self) -> Option<&DataFile> {
+        match &self.samples {
+            Samples::Simulated(_) => None,
+            Samples::Measured(file, _) => Some(file),
+        }
     }
 
     /// The point that was simulated, if one was.

@@ -24,6 +24,9 @@ impl fmt::Display for FitReport {
             let known = format!("radius {wheel_radius}, rho {rho}, angle {angle}");
             writeln!(f, "wheel      {known}, taken as known: y, z and x0 are the hub's")?;
         }
+        if let Some(loss) = &self.loss {
+            writeln!(f, "loss       {loss}")?;
+        }
         match &self.bootstrap {
             Some(BootstrapSummary { replicates, failed, seed }) => {
                 writeln!(f, "bootstrap  {replicates} replicates, seed {seed}, {failed} failed")?;

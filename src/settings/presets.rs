@@ -66,7 +66,7 @@ macro_rules! files {
 
 /// The groups, names, files and cards of all, best first in each group; the first is the start.
 const FILES: [(PresetGroup, &str, &str, &[u8]); 28] = files![
-    See: "street", "real-light", "gamow-1938", "rolling-wheel", "tram", "globe", "die", "vienna-cube", "vienna-sphere",
+    See: "real-light", "street", "gamow-1938", "rolling-wheel", "tram", "globe", "die", "vienna-cube", "vienna-sphere",
         "beaming", "lattice", "panorama", "train", "extreme-gamma";
     Ride: "ride-seasons", "ride-post-office", "ride-lamps", "ride-overtaking", "ride-twins", "ride-tunnel";
     Measure: "measuring", "missing-parallax";

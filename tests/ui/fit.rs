@@ -13,7 +13,7 @@ use gamow::flags::choices::ProjectionChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::{FitSettings, MAX_SEED, PlotSettings, PlotTab, Presence, Settings, Theme};
 use relativity_core::{
-    Curves, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant, Reading, Sample, fit,
+    Curves, FitOptions, Model, Observations, Parameter, PublishedVariant, Reading, Sample, fit,
 };
 use relativity_render::Geometry;
 
@@ -164,8 +164,7 @@ fn published_beta_of_exact_curves(state: &State, setup: FitSettings) -> f64 {
         Sample { time, pair: 0, dphi: None, dtheta: Some(Reading { value: left - right, sigma: None }) }
     };
     let observed = Observations::of_pair(SEPARATION, (0..setup.fit_samples).map(sample).collect());
-    let options =
-        FitOptions { model: setup.model, curves: setup.curves, passage: Passage::Known(0.0), rolling: None };
+    let options = FitOptions { model: setup.model, curves: setup.curves, ..FitOptions::default() };
     fit(&observed.expect("usable samples"), &options).expect("a fit").value(Parameter::Beta)
 }
 

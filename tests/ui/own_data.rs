@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command as Program;
 
+use eframe::egui::{Pos2, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::commands::{SettingsCommand, ShowCommand};
@@ -22,6 +23,7 @@ pub const TESTS: &[Test] = trials![
     own_data_are_fitted_and_shown,
     the_saved_fit_is_that_of_the_command_line,
     a_dropped_csv_file_is_data,
+    a_click_on_a_reading_leaves_it_out_and_takes_it_back,
     the_plotted_samples_are_saved_and_fitted_again,
     the_plotted_curves_are_saved_and_fitted,
     what_is_wrong_in_own_data_is_located,
@@ -161,6 +163,75 @@ fn the_plotted_samples_are_saved_and_fitted_again() {
         let [.., dphi, fitted, residual, _, _, _] = numbers[..] else { panic!("{row}") };
         assert!((dphi - fitted - residual).abs() < 1e-15, "{row}");
     }
+}
+
+fn click_at(window: &mut Harness<'_, App>, place: Pos2) {
+    window.hover_at(place);
+    window.step();
+    window.drag_at(place);
+    window.drop_at(place);
+    window.run_ok();
+}
+
+fn a_click_on_a_reading_leaves_it_out_and_takes_it_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = measured(folder.path(), &["T", "d", "dphi", "dtheta"]);
+    let rows = std::fs::read_to_string(&path).expect("text");
+    let mut rows: Vec<Vec<String>> =
+        rows.lines().map(|row| row.split(',').map(str::to_owned).collect()).collect();
+    // A gross outlier of dtheta, higher than all others, in the line after the header and 60 samples.
+    let without = |rows: &[Vec<String>]| rows.iter().map(|row| row.join(",") + "\n").collect::<String>();
+    "0.9".clone_into(&mut rows[61][3]);
+    std::fs::write(&path, without(&rows)).expect("written");
+    let mut window = fit_window(FitSettings::default());
+    open_data(&mut window, &path);
+    settle(&mut window);
+    let readings = |window: &Harness<'_, App>| {
+        window.state().fitting().shown().expect("a fit").data.clone().map(|data| data.len())
+    };
+    assert_eq!(readings(&window), [120, 120]);
+    label_starting_with(&window, "A reading stands out, in standard deviations: dtheta in line 62 by ");
+    assert!(labels(&window).iter().any(|label| label == "A click on a reading in the plots leaves it out."));
+    // Clicks beside readings go to a T, and so say where T is in the plot.
+    let plot = window.get_by_label("Fit of Δθ against T").rect();
+    let time_at = |window: &mut Harness<'_, App>, x: f32| {
+        click_at(window, pos2(x, plot.min.y + 4.0));
+        window.state().state().document.time
+    };
+    let [left, right] = [0.7, 0.9].map(|part| plot.min.x + part * plot.width());
+    let [first, last] = [left, right].map(|x| time_at(&mut window, x));
+    let time: f64 = rows[61][0].parse().expect("a number");
+    let x = left + ((time - first) / (last - first)) as f32 * (right - left);
+    let left_out = |window: &Harness<'_, App>| {
+        let data = window.state().state().session.data.clone().expect("own data");
+        data.left_out.iter().map(|left| (left.sample, left.curve)).collect::<Vec<_>>()
+    };
+    let heights = (6..60).step_by(4).map(|y| plot.min.y + y as f32);
+    let found = heights.into_iter().find(|&y| {
+        click_at(&mut window, pos2(x, y));
+        !left_out(&window).is_empty()
+    });
+    let place = pos2(x, found.expect("the highest reading is near the top"));
+    let before = window.state().state().document.time;
+    settle(&mut window);
+    assert_eq!((left_out(&window), readings(&window)), (vec![(60, 1)], [120, 119]));
+    assert!(labels(&window).iter().any(|label| label.starts_with("Left out by hand: dtheta in line 62.")));
+    // As if it had not been taken.
+    let json = folder.path().join("fit.json");
+    save(&mut window, "Save fit…", &json);
+    let saved = std::fs::read_to_string(&json).expect("text");
+    assert!(saved.contains("left out by hand: dtheta in line 62"), "{saved}");
+    rows[61][3] = String::new();
+    std::fs::write(&path, without(&rows)).expect("written");
+    let expected = gamow(&["fit", "--json", path.to_str().expect("a plain path")]);
+    let parameters = |text: &str| -> serde_json::Value {
+        serde_json::from_str::<serde_json::Value>(text).expect("JSON")["parameters"].clone()
+    };
+    assert_eq!(parameters(&saved), parameters(&expected));
+    click_at(&mut window, place);
+    settle(&mut window);
+    assert_eq!((left_out(&window), readings(&window)), (vec![], [120, 120]));
+    assert_eq!(window.state().state().document.time, before, "T stays where it is");
 }
 
 fn a_dropped_csv_file_is_data() {

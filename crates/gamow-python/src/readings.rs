@@ -23,7 +23,8 @@ use crate::threads::detached;
 /// data is the path of a CSV file, or a dict (or a table such as a pandas DataFrame) of arrays with the
 /// columns of one: T; dphi, dtheta or both (left minus right, radians; NaN where there is no reading);
 /// optionally sigma_dphi, sigma_dtheta, d, roll, turn. The keywords are the command's flags: d, roll and turn
-/// (degrees), model, use, bootstrap (replicates), seed, x0, fit_x0, riding, wheel_radius, rho, angle.
+/// (degrees), model, use, bootstrap (replicates), seed, x0, fit_x0, loss ('linear', 'soft-l1', 'huber' or
+/// 'cauchy'), loss_scale, riding, wheel_radius, rho, angle.
 ///
 /// The interpreter's lock is released; Ctrl-C ends it with a KeyboardInterrupt. What the data cannot tell is
 /// a ValueError.

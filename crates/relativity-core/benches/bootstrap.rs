@@ -30,7 +30,11 @@ fn main() {
         let samples = case.samples(model, 1);
         for curves in [Curves::Azimuth, Curves::Polar, Curves::Both] {
             for passage in [Passage::Known(0.0), Passage::Fitted] {
-                row(case.separation, &samples, &FitOptions { model, curves, passage, rolling: None });
+                row(
+                    case.separation,
+                    &samples,
+                    &FitOptions { model, curves, passage, ..FitOptions::default() },
+                );
             }
         }
     }

@@ -398,6 +398,8 @@ fn half_widths(fit: &Fit, regular: &RegularProblem<'_>, trial: &Trial) -> Option
     // x0 = const - beta t0.
     let passage = Free::new(-trial.passage_time * regular.speed_slope(trial), 0.0, 0.0, -trial.speed.beta());
     let directions = [unit(0), unit(1), unit(2), passage].map(|direction| whitened * direction);
+    // A robust fit is the linear one of its residuals as they count, over the mean derivative of these.
+    let (slope, _) = fit.problem.influence(trial);
     Some(directions.map(|direction| {
         let (mut variance, mut mean, mut squares, mut taken) = (0.0, 0.0, 0.0, Matrix4::zeros());
         for readings in &rows {
@@ -416,7 +418,7 @@ fn half_widths(fit: &Fit, regular: &RegularProblem<'_>, trial: &Trial) -> Option
             taken += part * part.transpose() * made_up;
         }
         let freedom = mean * mean / (squares + taken.norm_squared());
-        student_975(freedom) * variance.sqrt()
+        student_975(freedom) * variance.sqrt() / slope
     }))
 }
 

@@ -116,8 +116,8 @@ pub use conformal::{Conformal, ConformalDisparity};
 pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
-    Curves, Fit, FitError, FitOptions, NotConverged, Observations, OtherSide, Parameter, Passage, Reading,
-    Rolling, Sample, SerialCorrelation, Simulation, fit, fit_from,
+    Curves, Fit, FitError, FitOptions, Loss, LossShape, NotConverged, Observations, OtherSide, Parameter,
+    Passage, Reading, Rolling, Sample, SerialCorrelation, Simulation, fit, fit_from,
 };
 pub use model::{Model, PairError};
 pub use observer::{Observer, ObserverError, ObserverVelocity, RelativeVelocity};

@@ -8,6 +8,7 @@ mod invariants;
 mod names;
 mod published_numbers;
 mod riding;
+mod robust;
 mod serial;
 mod stereo_claims;
 #[path = "common/tally.rs"]

@@ -29,7 +29,7 @@ fn noise_free_curves_of_the_paper_give_its_object_back() {
         let observations = PAPER.observations(model, 0);
         for curves in CURVES {
             for passage in PASSAGES {
-                let options = FitOptions { model, curves, passage, rolling: None };
+                let options = FitOptions { model, curves, passage, ..FitOptions::default() };
                 let fit = fit(&observations, &options).expect("a fit");
                 assert_recovers(&fit, PAPER.truth(), NOISE_FREE_ERROR);
                 let replicates = bootstrap(&fit, 20, 1).expect("replicates");
@@ -309,7 +309,7 @@ fn a_point_on_a_rolling_wheel_gives_its_hub_back() {
     {
         let case = Case { rolling, x0: -0.3, ..PAPER };
         for passage in [Passage::Known(case.x0), Passage::Fitted] {
-            let options = FitOptions { model, curves, passage, rolling };
+            let options = FitOptions { model, curves, passage, rolling, ..FitOptions::default() };
             let fit = fit(&case.observations(model, 0), &options).expect("a fit");
             assert_recovers(&fit, case.truth(), 1e-8);
         }

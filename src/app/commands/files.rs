@@ -21,6 +21,13 @@ pub enum FileCommand {
     Open(PathBuf),
     /// Fits the measured disparities in a file.
     OpenData(PathBuf),
+    /// Leaves a reading of the file that is fitted out, or takes it back.
+    LeaveOut {
+        /// Number of its sample, from 0.
+        sample: usize,
+        /// Its curve: 0 for dphi, 1 for dtheta.
+        curve: usize,
+    },
     /// Fits simulated disparities again.
     Simulate,
     /// Shows the present contents of a file that is shown.
@@ -45,6 +52,12 @@ impl State {
         match command {
             FileCommand::Open(_) | FileCommand::OpenData(_) | FileCommand::Reload(_) => {
                 self.read_and_show(&command);
+            }
+            FileCommand::LeaveOut { sample, curve } => {
+                let baseline = self.document.settings.baseline();
+                if let Some(file) = &mut self.session.data {
+                    Arc::make_mut(file).leave_out_or_take_back(sample, curve, baseline);
+                }
             }
             FileCommand::Simulate => self.session.data = None,
             FileCommand::Show(file) => self.show_file(*file),

@@ -48,7 +48,7 @@ use crate::app::state::sequence::RunningSequence;
 use crate::app::state::shared::Shared;
 use crate::app::state::stage::Stage;
 use crate::caption::times::ObserverClock;
-use crate::estimate::samples::DataFile;
+use crate::estimate::data_file::DataFile;
 use crate::lesson::{Answers, Library};
 use crate::map::Viewpoint;
 use crate::scene::{Scene, SceneError};

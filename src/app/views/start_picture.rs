@@ -1,4 +1,4 @@
-//! The moving picture of the start page: a ride through the street, drawn as slowly as the machine does it
+//! The moving picture of the start page: the ride through the seasons, drawn as slowly as the machine does it
 //! with ease.
 
 use eframe::egui::{Context, Rect, TextureId, Ui};
@@ -9,15 +9,15 @@ use crate::accuracy::MethodViews;
 use crate::app::state::State;
 use crate::app::views::eyes::{EyePictures, Request};
 use crate::eye::Eye;
-use crate::settings::Settings;
+use crate::settings::Preset;
 
-/// The settings of the picture.
-const SETTINGS: &str = include_str!("../../../assets/start.toml");
-/// T at which the ride begins and ends; before and after it the street's ends are near.
-const FROM: f64 = 4.8;
-const TO: f64 = 10.2;
-/// T that passes in a second.
-const RATE: f64 = 0.12;
+/// The ride.
+const PRESET: &str = "ride-seasons";
+/// The rider's clock where the picture begins and ends: from slow enough for green leaves to snow.
+const FROM: f64 = 6.0;
+const TO: f64 = 206.0;
+/// Units of that clock that pass in a second.
+const RATE: f64 = 6.0;
 /// Part of the ride at its ends in which the picture fades, so that the leap back is not seen.
 const FADE: f64 = 0.02;
 /// Least time between two pictures, seconds, and in times of what one takes.
@@ -59,7 +59,7 @@ impl StartPicture {
     /// The picture that `eyes` draw; `None` if its scene cannot be had.
     #[must_use]
     pub fn new(ctx: &Context, eyes: EyePictures) -> Option<Self> {
-        let settings = Settings::default().with_toml(SETTINGS, "start.toml").ok()?;
+        let settings = Preset::named(PRESET)?.settings.clone();
         let now = ctx.input(|input| input.time);
         let state = State::open(settings).ok()?;
         Some(Self {

@@ -171,7 +171,7 @@ def fit(data: _Path | Mapping[str, ArrayLike], /, **flags: Any) -> dict[str, Any
             dphi, dtheta or both (radians, NaN where there is no reading); optionally sigma_dphi, sigma_dtheta, d, roll, turn. Arrays are
             broadcast together; errors count their rows as lines of a CSV file, whose first has the names.
         **flags: the command's: d, roll and turn (degrees), model, use ('dphi', 'dtheta' or 'both'), bootstrap (replicates,
-            0 for none), seed, x0, fit_x0, riding, wheel_radius, rho, angle.
+            0 for none), seed, x0, fit_x0, loss ('linear', 'soft-l1', 'huber' or 'cauchy'), loss_scale, riding, wheel_radius, rho, angle.
 
     Returns:
         The report: parameters (each with value, uncertainty, ci95 and uncertainty_linear, None where the residuals

@@ -18,12 +18,14 @@ mod curve;
 mod descent;
 mod error;
 mod gradients;
+mod loss;
 mod observations;
 mod options;
 mod prepare;
 mod problem;
 mod regular;
 mod rolling;
+mod scatter;
 mod search;
 mod serial;
 mod simulation;
@@ -33,8 +35,10 @@ mod verdict;
 mod wheel_start;
 
 pub use error::{FitError, NotConverged};
+pub use loss::{Loss, LossShape};
 pub use observations::{Observations, Reading, Sample};
 pub use options::{Curves, FitOptions, Parameter, Passage};
+pub use scatter::standard_deviation;
 pub use serial::{FALSE_ALARM, SerialCorrelation};
 pub use simulation::Simulation;
 pub use trial::Rolling;
@@ -54,6 +58,11 @@ use search::Starts;
 /// object, with every choice of model and curves, x0 known or not (`tests/fit.rs`).
 pub const NOISE_FREE_ERROR: f64 = 1e-9;
 
+/// The factor by which the scale of a robust loss shrinks from the one that the search is made with.
+const SOFTENING: f64 = 0.1;
+/// How often the scatter that a robust loss is in follows from the fit: it settles by itself.
+const ROBUST_ROUNDS: usize = 6;
+
 /// Half the width of a 95 % interval of a normal distribution, in standard errors.
 const NORMAL_95: f64 = 1.959_963_984_540_054;
 
@@ -65,12 +74,15 @@ pub struct Fit {
     /// Best values of beta, y, z, x0.
     pub values: [f64; 4],
     /// Covariance of the parameters by linearisation; 0 for a known x0. From the sigmas where all readings
-    /// have one, else scaled by the scatter of the residuals.
+    /// have one and the loss is linear, else scaled by the scatter of the residuals.
     pub covariance: [[f64; 4]; 4],
-    /// Root mean square of the residuals of all fitted readings, radians.
+    /// Root mean square of the residuals of all fitted readings, radians; each as large as it counts.
     pub rms: f64,
+    /// The scatter of each curve that the scale of a robust loss is in, radians, where it has no sigmas: from
+    /// the median of its residuals.
+    pub scatter: [Option<f64>; 2],
     /// The sum of squares per degree of freedom, in units of the sigmas; 1 within its scatter if the model
-    /// and the sigmas are right. `None` without sigmas.
+    /// and the sigmas are right. `None` without sigmas, and of a robust loss.
     pub reduced_chi_squared: Option<f64>,
     /// Readings that were fitted.
     pub readings: usize,
@@ -185,8 +197,21 @@ impl Fit {
 /// ```
 pub fn fit(observations: &Observations, options: &FitOptions) -> Result<Fit, FitError> {
     let data = prepare::prepare(observations, options)?;
-    let starts = search::best_starts(&data.problem).ok_or(FitError::NotConverged(NotConverged::NoStart))?;
+    let starts =
+        if options.loss.is_robust() { robust_starts(&data) } else { search::best_starts(&data.problem) };
+    let starts = starts.ok_or(FitError::NotConverged(NotConverged::NoStart))?;
     fit_downhill(data, options, &starts)
+}
+
+/// The best starts by a loss that is soft first, and harder with each descent.
+fn robust_starts(data: &PreparedData) -> Option<Starts> {
+    let mut factor = data.roughness();
+    let mut starts = search::best_starts(&data.softened(factor))?;
+    while factor > 1.0 {
+        factor = (SOFTENING * factor).max(1.0);
+        starts.best = descent::descent(&data.softened(factor), starts.best, descent::START_PATIENCE).free;
+    }
+    Some(starts)
 }
 
 /// The fit downhill of a guess of beta, y, z and x0: less work than [`fit`], if the guess is good.
@@ -209,8 +234,9 @@ pub fn fit_from(observations: &Observations, options: &FitOptions, guess: [f64; 
 fn fit_downhill(mut data: PreparedData, options: &FitOptions, starts: &Starts) -> Result<Fit, FitError> {
     let mut minimum = descent::minimum(&data.problem, starts.best)?;
     if data.estimates_noise() {
-        // Weights from the scatter about a first fit, twice: the weights move the fit a little.
-        for _ in 0..2 {
+        // Weights from the scatter about a first fit, twice: the weights move the fit a little. More often
+        // from the rough scatter that a robust search begins with.
+        for _ in 0..if options.loss.is_robust() { ROBUST_ROUNDS } else { 2 } {
             data.reweigh(&minimum.trial);
             minimum = descent::minimum(&data.problem, minimum.free)?;
         }
@@ -228,8 +254,9 @@ fn fit_downhill(mut data: PreparedData, options: &FitOptions, starts: &Starts) -
         trial.z = trial.z.abs();
     }
     let reduced = cost / data.degrees_of_freedom();
-    let scatter = if data.has_all_sigmas { 1.0 } else { reduced };
-    let covariance = verdict::covariance(&data.problem, &trial, scatter)?;
+    let is_robust = options.loss.is_robust();
+    let scatter = if data.has_all_sigmas && !is_robust { 1.0 } else { reduced };
+    let (covariance, scatter) = verdict::covariance(&data.problem, &trial, scatter)?;
     let rms = data.rms(&trial, [true, true]);
     let is_noisy = rms > NOISE_FREE_ERROR * data.range();
     let serial = if is_noisy { SerialCorrelation::of(&data.problem, &trial) } else { None };
@@ -238,8 +265,9 @@ fn fit_downhill(mut data: PreparedData, options: &FitOptions, starts: &Starts) -
         values: trial.reported(),
         covariance: reported_covariance(&data.problem, &trial, &covariance),
         rms,
+        scatter: data.scatter(),
         serial,
-        reduced_chi_squared: data.has_all_sigmas.then_some(reduced),
+        reduced_chi_squared: (data.has_all_sigmas && !is_robust).then_some(reduced),
         readings: data.problem.readings(),
         other_side: other_side
             .map(|other| OtherSide { values: other.trial.reported(), excess: (other.cost - cost) / scatter }),

@@ -1,5 +1,6 @@
 //! Options of a fit: the curves, the model, and the parameters of the object that are free.
 
+use crate::fit::loss::Loss;
 use crate::fit::trial::Rolling;
 use crate::model::Model;
 
@@ -63,11 +64,19 @@ pub struct FitOptions {
     /// The wheel on which the point is that was seen; y, z and x0 are then its hub's. `None` for a point that
     /// does not turn.
     pub rolling: Option<Rolling>,
+    /// The function by which residuals count.
+    pub loss: Loss,
 }
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { model: Model::Exact, curves: Curves::Both, passage: Passage::Known(0.0), rolling: None }
+        Self {
+            model: Model::Exact,
+            curves: Curves::Both,
+            passage: Passage::Known(0.0),
+            rolling: None,
+            loss: Loss::default(),
+        }
     }
 }
 

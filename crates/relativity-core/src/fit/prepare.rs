@@ -2,9 +2,11 @@
 
 use crate::domain::check;
 use crate::fit::error::FitError;
+use crate::fit::loss::{Loss, LossShape};
 use crate::fit::observations::{Observations, Reading, Sample};
 use crate::fit::options::{FitOptions, Passage};
 use crate::fit::problem::{PreparedSample, Problem};
+use crate::fit::scatter;
 use crate::fit::trial::Trial;
 use crate::model::Model;
 
@@ -55,10 +57,14 @@ pub(super) fn prepare(observations: &Observations, options: &FitOptions) -> Resu
         passage_x,
         fits_passage,
         rolling: options.rolling,
+        loss: options.loss,
     };
     problem.rows.retain(|row| row.weights != [0.0; 2]);
     let has_all_sigmas = (0..2).all(|curve| has_sigmas[curve] || !used[curve]);
-    let data = PreparedData { problem, has_all_sigmas, used, has_sigmas, ranges };
+    let mut data = PreparedData { problem, has_all_sigmas, used, has_sigmas, ranges };
+    if options.loss.is_robust() {
+        data.weigh_roughly();
+    }
     data.check_number(options)?;
     data.check_variation(options)?;
     Ok(data)
@@ -69,38 +75,97 @@ impl PreparedData {
         (self.problem.readings() - self.problem.parameters()) as f64
     }
 
-    /// Whether two curves are to be weighed against each other by their own scatter.
+    /// Whether the scatter of a curve is to be found: its weight against the other, or the scale of the loss.
     pub fn estimates_noise(&self) -> bool {
-        self.used == [true, true] && self.has_sigmas != [true, true]
+        let is_needed = self.used == [true, true] || self.problem.loss.is_robust();
+        is_needed && !self.has_all_sigmas
     }
 
-    /// Weighs each curve without sigmas by its scatter about `trial`.
+    /// Weighs each curve without sigmas by what it scatters about the lines between neighbours.
+    fn weigh_roughly(&mut self) {
+        for (curve, scale) in scales(self.ranges).into_iter().enumerate() {
+            if !self.has_sigmas[curve] && self.used[curve] {
+                self.weigh(curve, self.rough(curve).max(LEAST_NOISE * scale));
+            }
+        }
+    }
+
+    fn rough(&self, curve: usize) -> f64 {
+        scatter::rough(&self.problem.rows, self.problem.pairs.len(), curve)
+    }
+
+    /// By how many times the scale of a robust loss is too small to search with.
+    pub fn roughness(&self) -> f64 {
+        let of_curve = |curve: usize| {
+            let rows = self.problem.rows.iter().filter(|row| row.is_read()[curve]);
+            let most = rows.map(|row| row.weights[curve]).fold(0.0, f64::max);
+            if self.has_sigmas[curve] { self.rough(curve) * most } else { 1.0 }
+        };
+        of_curve(0).max(of_curve(1)).max(1.0)
+    }
+
+    /// The problem to search with: its loss lets the worst readings go, where another would have a spike of a
+    /// near passage reach for them; and its scale is larger by `factor`.
+    pub fn softened(&self, factor: f64) -> Problem {
+        let loss = Loss::of(LossShape::Cauchy);
+        Problem { loss: Loss { scale: factor * loss.scale, ..loss }, ..self.problem.clone() }
+    }
+
+    /// The scatter of each curve that the scale of a robust loss is in, radians, where it has no sigmas.
+    pub fn scatter(&self) -> [Option<f64>; 2] {
+        let is_found =
+            |curve: usize| self.problem.loss.is_robust() && self.used[curve] && !self.has_sigmas[curve];
+        [0, 1].map(|curve| {
+            let weights = self.problem.rows.iter().map(|row| row.weights[curve]);
+            let weight = weights.clone().find(|weight| *weight > 0.0).filter(|_| is_found(curve))?;
+            Some(1.0 / weight)
+        })
+    }
+
+    fn weigh(&mut self, curve: usize, sigma: f64) {
+        for row in &mut self.problem.rows {
+            if row.weights[curve] > 0.0 {
+                row.weights[curve] = 1.0 / sigma;
+            }
+        }
+    }
+
+    /// Weighs each curve without sigmas by its scatter about `trial`: by the median for a robust loss.
     pub fn reweigh(&mut self, trial: &Trial) {
         for (curve, scale) in scales(self.ranges).into_iter().enumerate() {
             if self.has_sigmas[curve] || !self.used[curve] {
                 continue;
             }
             let only = [curve == 0, curve == 1];
-            let sigma = self.rms(trial, only).max(LEAST_NOISE * scale);
-            for row in &mut self.problem.rows {
-                if row.weights[curve] > 0.0 {
-                    row.weights[curve] = 1.0 / sigma;
-                }
-            }
+            let sigma = if self.problem.loss.is_robust() {
+                let sizes = self.residuals(trial, only).map(|(off, _)| off.abs());
+                scatter::standard_deviation(sizes, self.problem.parameters())
+            } else {
+                self.rms(trial, only)
+            };
+            self.weigh(curve, sigma.max(LEAST_NOISE * scale));
         }
     }
 
-    /// Root mean square of the unweighed residuals of the readings of the given curves.
+    /// Root mean square of the unweighed residuals of the readings of the given curves, each as large as the
+    /// loss has it count.
     pub fn rms(&self, trial: &Trial, curves: [bool; 2]) -> f64 {
+        let loss = self.problem.loss;
         let (mut sum, mut count) = (0.0, 0.0);
-        for row in &self.problem.rows {
-            let angles = self.problem.angles(trial, row);
-            for curve in (0..2).filter(|&curve| curves[curve] && row.weights[curve] > 0.0) {
-                sum += (angles[curve] - row.values[curve]).powi(2);
-                count += 1.0;
-            }
+        for (off, weight) in self.residuals(trial, curves) {
+            sum += if loss.is_robust() { loss.cost(weight * off) / weight.powi(2) } else { off * off };
+            count += 1.0;
         }
         if count == 0.0 { 0.0 } else { f64::sqrt(sum / count) }
+    }
+
+    /// The residuals of the readings of the given curves, with their weights.
+    fn residuals(&self, trial: &Trial, curves: [bool; 2]) -> impl Iterator<Item = (f64, f64)> {
+        self.problem.rows.iter().flat_map(move |row| {
+            let angles = self.problem.angles(trial, row);
+            let fitted = (0..2).filter(move |&curve| curves[curve] && row.weights[curve] > 0.0);
+            fitted.map(move |curve| (angles[curve] - row.values[curve], row.weights[curve]))
+        })
     }
 
     /// Largest range of a fitted curve.
@@ -108,18 +173,21 @@ impl PreparedData {
         self.ranges[0].max(self.ranges[1])
     }
 
-    /// Weighed sum of squares about the mean of each curve.
+    /// The cost of the mean of each curve.
     pub fn variation(&self) -> f64 {
-        (0..2).map(|curve| self.variation_of(curve)).sum()
+        (0..2).map(|curve| self.variation_of(curve, self.problem.loss)).sum()
     }
 
-    fn variation_of(&self, curve: usize) -> f64 {
+    fn variation_of(&self, curve: usize, loss: Loss) -> f64 {
         let rows = || self.problem.rows.iter().map(|row| (row.weights[curve].powi(2), row.values[curve]));
         let weight: f64 = rows().map(|(weight, _)| weight).sum();
         if weight == 0.0 {
             return 0.0;
         }
         let mean = rows().map(|(weight, value)| weight * value).sum::<f64>() / weight;
+        if loss.is_robust() {
+            return rows().map(|(weight, value)| loss.cost(weight.sqrt() * (value - mean))).sum();
+        }
         rows().map(|(weight, value)| weight * (value - mean).powi(2)).sum()
     }
 
@@ -140,7 +208,8 @@ impl PreparedData {
         let varies = (0..2).any(|curve| {
             let free = self.problem.rows.iter().filter(|row| row.weights[curve] > 0.0).count() as f64 - 1.0;
             let scatter = free + 3.0 * (2.0 * free).sqrt();
-            self.ranges[curve] > 0.0 && (!self.has_sigmas[curve] || self.variation_of(curve) > scatter)
+            self.ranges[curve] > 0.0
+                && (!self.has_sigmas[curve] || self.variation_of(curve, Loss::default()) > scatter)
         });
         if varies {
             return Ok(());

@@ -11,6 +11,7 @@ use nalgebra::{Dyn, Matrix4, OMatrix, OVector, U4, Vector4};
 
 use crate::aperture::Aperture;
 use crate::fit::gradients::{Gradient, Slopes};
+use crate::fit::loss::Loss;
 use crate::fit::trial::Rolling;
 use crate::fit::trial::Trial;
 use crate::math;
@@ -21,6 +22,8 @@ use crate::speed::Speed;
 const MAX_RAPIDITY: f64 = 60.0;
 /// Likewise for lengths and times.
 const MAX_LENGTH: f64 = 1e50;
+/// Least mean derivative of psi.
+const LEAST_SLOPE: f64 = 1e-3;
 
 /// A sample that is ready to be fitted.
 #[derive(Debug, Clone, Copy)]
@@ -64,9 +67,11 @@ pub(crate) struct Problem {
     pub fits_passage: bool,
     /// The wheel whose hub the object is.
     pub rolling: Option<Rolling>,
+    pub loss: Loss,
 }
 
-/// Sums over rows: J^T W J, J^T W r and r^T W r.
+/// Sums over rows: J^T W J, J^T W r and the cost, r^T W r by the linear loss. By another the weights have its
+/// rho', so that the gradient is right, and a step of these equations lowers the cost.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct NormalEquations {
     pub hessian: Matrix4<f64>,
@@ -146,6 +151,21 @@ impl Problem {
         trial.wanted_angles(self.model, &self.pairs[row.pair], row.time, row.is_read())
     }
 
+    /// The mean derivative of psi = rho' r at `trial`, and the mean of psi^2 per degree of freedom. A loss by
+    /// which most readings are outliers has hardly any slope, and no certainty.
+    pub fn influence(&self, trial: &Trial) -> (f64, f64) {
+        let (mut slope, mut squares, mut count) = (0.0, 0.0, 0.0);
+        for row in &self.rows {
+            let residuals = weighed(&self.angles(trial, row), row);
+            for residual in row.curves().map(|curve| residuals[curve]) {
+                slope += self.loss.slope(residual);
+                squares += (self.loss.weight(residual) * residual).powi(2);
+                count += 1.0;
+            }
+        }
+        (f64::max(slope / count, LEAST_SLOPE), squares / (count - self.parameters() as f64))
+    }
+
     /// d(beta, y, z, t0)/d(free parameters): it is diagonal. 0 for a parameter that is not fitted.
     pub fn chain(&self, trial: &Trial) -> Gradient {
         let dbeta = trial.speed.rapidity() * trial.speed.inverse_gamma_squared();
@@ -160,11 +180,11 @@ fn weighed(angles: &[f64; 2], row: &PreparedSample) -> [f64; 2] {
 impl NormalEquations {
     /// Adds the row at which the model has `slopes`, `count` times.
     #[inline]
-    pub fn add(&mut self, slopes: &Slopes, row: &PreparedSample, count: f64) {
+    pub fn add(&mut self, slopes: &Slopes, row: &PreparedSample, count: f64, loss: Loss) {
         let residuals = weighed(&slopes.angles, row);
         for curve in row.curves() {
             let g = slopes.gradients[curve];
-            let weight = count * row.weights[curve];
+            let weight = count * row.weights[curve] * loss.weight(residuals[curve]);
             let scaled = row.weights[curve] * weight;
             for i in 0..4 {
                 // Only the lower triangle: the matrix is symmetric, and its factorisation reads no more.
@@ -173,7 +193,7 @@ impl NormalEquations {
                 }
                 self.gradient[i] += weight * residuals[curve] * g[i];
             }
-            self.cost += count * residuals[curve] * residuals[curve];
+            self.cost += count * loss.cost(residuals[curve]);
         }
     }
 
@@ -222,7 +242,8 @@ impl LeastSquaresProblem<f64, Dyn, U4> for At<'_> {
         let trial = self.problem.trial(&self.free)?;
         let residuals = self.problem.rows.iter().flat_map(|row| {
             let residuals = weighed(&self.problem.angles(&trial, row), row);
-            row.curves().map(move |curve| residuals[curve])
+            let loss = self.problem.loss;
+            row.curves().map(move |curve| loss.solver_residual(residuals[curve]).0)
         });
         Some(OVector::<f64, Dyn>::from_iterator(self.problem.readings(), residuals))
     }
@@ -237,10 +258,12 @@ impl LeastSquaresProblem<f64, Dyn, U4> for At<'_> {
         let mut index = 0;
         for row in &self.problem.rows {
             let slopes = self.problem.slopes(&trial, row);
+            let residuals = weighed(&slopes.angles, row);
             for curve in row.curves() {
+                let weight = row.weights[curve] * self.problem.loss.solver_residual(residuals[curve]).1;
                 for parameter in 0..4 {
                     jacobian[(index, parameter)] =
-                        row.weights[curve] * slopes.gradients[curve][parameter] * chain[parameter];
+                        weight * slopes.gradients[curve][parameter] * chain[parameter];
                 }
                 index += 1;
             }

@@ -57,19 +57,21 @@ impl<'a> RegularProblem<'a> {
         let trial = self.raised(trial);
         let mut sum = NormalEquations::default();
         for (row, count) in self.problem.rows.iter().zip(counts).filter(|(_, count)| *count > 0.0) {
-            sum.add(&self.problem.slopes(&trial, row), row, count);
+            sum.add(&self.problem.slopes(&trial, row), row, count, self.problem.loss);
         }
         sum.in_free_parameters(self.chain(&trial))
     }
 
-    /// Delta-phi and Delta-theta of `row` at `trial`, as weighed residuals with their derivatives.
+    /// Delta-phi and Delta-theta of `row` at `trial`: weighed residuals as large as the loss has them count,
+    /// rho' r, with the derivatives of r.
     pub fn weighed(&self, trial: &Trial, row: &PreparedSample) -> [Residual; 2] {
         let trial = self.raised(trial);
         let (slopes, chain) = (self.problem.slopes(&trial, row), Vector4::from(self.chain(&trial)));
         std::array::from_fn(|curve| {
             let weight = row.weights[curve];
             let gradient = Vector4::from(slopes.gradients[curve]).component_mul(&chain);
-            (weight * (slopes.angles[curve] - row.values[curve]), weight * gradient)
+            let residual = weight * (slopes.angles[curve] - row.values[curve]);
+            (self.problem.loss.weight(residual) * residual, weight * gradient)
         })
     }
 
@@ -79,7 +81,7 @@ impl<'a> RegularProblem<'a> {
         let chain = self.chain(&trial);
         let part = |row| {
             let mut part = NormalEquations::default();
-            part.add(&self.problem.slopes(&trial, row), row, 1.0);
+            part.add(&self.problem.slopes(&trial, row), row, 1.0, self.problem.loss);
             part.in_free_parameters(chain)
         };
         self.problem.rows.iter().map(part).collect()

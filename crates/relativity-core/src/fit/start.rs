@@ -6,6 +6,7 @@
 
 use crate::aperture::Aperture;
 use crate::fit::problem::{Free, PreparedSample, Problem};
+use crate::fit::scatter;
 use crate::fit::trial::Trial;
 use crate::math;
 use crate::speed::Speed;
@@ -53,7 +54,8 @@ pub(super) fn thinned(problem: &Problem, most: usize) -> Problem {
 /// Returns the best starts of each speed, elevation band and feature, in the order of their fit to `coarse`,
 /// the best first. Many are worth following: a coarse grid misjudges the sharp features of high speeds.
 pub(super) fn starts(problem: &Problem, coarse: &Problem) -> Vec<Free> {
-    let features = Features::new(problem, coarse);
+    let smoothed = problem.loss.is_robust().then(|| scatter::smoothed(problem));
+    let features = Features::new(smoothed.as_ref().unwrap_or(problem), coarse);
     let best_of_speed = |&rapidity: &f64| SLOPES.map(|slopes| features.best_of(problem, rapidity, slopes));
     let best = RAPIDITIES.par_iter().flat_map_iter(best_of_speed);
     let mut best: Vec<StartCandidate> = best.flatten_iter().flatten().collect();
@@ -192,7 +194,8 @@ impl Features {
                 Some(_) => problem.angles(&Trial { z: -trial.z, ..trial }, row),
             };
             for (cost, angles) in costs.iter_mut().zip([[dphi, dtheta], mirrored]) {
-                *cost += (0..2).map(|i| (row.weights[i] * (angles[i] - row.values[i])).powi(2)).sum::<f64>();
+                let residual = |i: usize| row.weights[i] * (angles[i] - row.values[i]);
+                *cost += (0..2).map(|i| problem.loss.cost(residual(i))).sum::<f64>();
             }
             if costs[0].min(costs[1]) >= limit {
                 return best;

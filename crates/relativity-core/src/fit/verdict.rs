@@ -3,6 +3,7 @@
 use nalgebra::Matrix4;
 
 use crate::fit::error::FitError;
+use crate::fit::loss::Loss;
 use crate::fit::options::Parameter;
 use crate::fit::prepare::PreparedData;
 use crate::fit::problem::{NormalEquations, Problem};
@@ -26,14 +27,28 @@ pub(super) fn check_explained(data: &PreparedData, cost: f64) -> Result<(), FitE
     Err(FitError::Unexplained { share: (cost / variation).min(1.0) })
 }
 
-/// Covariance of the free parameters, `scatter` being the variance of a weighed residual.
+/// Covariance of the free parameters, and the rise of the cost that is one variance: of the linear loss
+/// `scatter`, the variance of a weighed residual. Of a robust loss the slopes count as in least squares,
+/// times the mean derivative of its psi = rho' r, and the rise is the mean of psi^2 over that (Huber and
+/// Ronchetti, section 7.6).
 ///
 /// # Errors
 ///
 /// [`FitError::Indistinguishable`] if a standard error exceeds the parameter itself (for z: the distance).
-pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Result<Matrix4<f64>, FitError> {
+pub(super) fn covariance(
+    problem: &Problem,
+    trial: &Trial,
+    scatter: f64,
+) -> Result<(Matrix4<f64>, f64), FitError> {
     let regular = RegularProblem::new(problem, trial);
-    let NormalEquations { hessian, gradient, .. } = regular.equations(trial, std::iter::repeat(1.0));
+    let NormalEquations { mut hessian, gradient, .. } = regular.equations(trial, std::iter::repeat(1.0));
+    let mut rise = scatter;
+    if problem.loss.is_robust() {
+        let (slope, squares) = problem.influence(trial);
+        let linear = Problem { loss: Loss::default(), ..problem.clone() };
+        let linear = RegularProblem::new(&linear, trial).equations(trial, std::iter::repeat(1.0));
+        (hessian, rise) = (linear.hessian * slope, squares / slope);
+    }
     let fitted = problem.parameters();
     let scale = hessian.diagonal().map(|diagonal| 1.0 / diagonal.sqrt());
     if let Some(index) = (0..fitted).find(|&index| !scale[index].is_finite()) {
@@ -56,7 +71,7 @@ pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Resu
         * Matrix4::from_diagonal(&eigen.eigenvalues.map(f64::recip))
         * eigen.eigenvectors.transpose();
     let inverse = inverse.component_mul(&outer);
-    let mut covariance = inverse * scatter;
+    let mut covariance = inverse * rise;
     if !problem.fits_passage {
         covariance[(3, 3)] = 0.0;
     }
@@ -65,7 +80,7 @@ pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Resu
     covariance.row_mut(2).scale_mut(height_error);
     covariance.column_mut(2).scale_mut(height_error);
     check_determined(problem, trial, &covariance)?;
-    Ok(covariance)
+    Ok((covariance, rise))
 }
 
 fn check_determined(problem: &Problem, trial: &Trial, covariance: &Matrix4<f64>) -> Result<(), FitError> {

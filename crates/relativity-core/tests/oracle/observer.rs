@@ -3,7 +3,7 @@
 use rand::RngExt as _;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::{
-    Aperture, Boost, MAX_ERROR_UNITS, Model, Observer, ObserverVelocity, Stereo, Worldline,
+    Aperture, Boost, Disparity, MAX_ERROR_UNITS, Model, Observer, ObserverVelocity, Stereo, Worldline,
 };
 
 use crate::arithmetic::{Big, big, sqrt, square};
@@ -184,36 +184,55 @@ fn pair(inputs: &[f64]) -> [Aperture; 2] {
     [aperture_at(inputs), aperture_at(&inputs[3..])]
 }
 
+const NAMES: [&str; 11] = ["x", "y", "z", "R'", "D", "phi", "theta", "tau", "dphi", "dtheta", "t"];
+
+/// The numbers of [`NAMES`].
+fn columns(both: &Disparity) -> [f64; 11] {
+    let seen = &both.primary;
+    let ([x, y, z], phi, theta) = (seen.position, seen.phi(), seen.theta());
+    let [distance, doppler] = [seen.distance, seen.doppler_factor];
+    [x, y, z, distance, doppler, phi, theta, seen.proper_time, both.dphi, both.dtheta, seen.retarded_time]
+}
+
 #[test]
 fn a_moving_eye_sees_as_accurately_as_its_inputs_are_known() {
-    let names = ["x", "y", "z", "R'", "D", "phi", "theta", "tau", "dphi", "dtheta", "t"];
-    let tally = Tally::new(names, cases() / 4, |rng| {
+    let tally = Tally::new(NAMES, cases() / 4, |rng| {
         let (parameter, inputs) = inputs(rng);
         let speed = program_speed(parameter, inputs[0]);
-        let both = observer(parameter, &inputs[4..])
-            .disparity(Model::Exact, &speed, point_at(&inputs[1..]), pair(&inputs[11..]), 0.0)
-            .expect("inside the domain");
-        let seen = both.primary;
-        let [x, y, z] = seen.position;
-        let computed = [
-            x,
-            y,
-            z,
-            seen.distance,
-            seen.doppler_factor,
-            seen.phi(),
-            seen.theta(),
-            seen.proper_time,
-            both.dphi,
-            both.dtheta,
-            seen.retarded_time,
-        ];
+        let seen = observer(parameter, &inputs[4..]).disparity(
+            Model::Exact,
+            &speed,
+            point_at(&inputs[1..]),
+            pair(&inputs[11..]),
+            0.0,
+        );
+        let computed = columns(&seen.expect("inside the domain"));
         case(parameter, inputs, |inputs| disparity(parameter, inputs), computed)
     });
     tally.assert_each_within(|name| match name {
         "t" => MAX_TIME_UNITS,
         _ => MAX_ERROR_UNITS,
     });
+}
+
+/// Of one at rest, far from the origin too, whose inputs lack a velocity.
+#[test]
+fn an_eye_at_rest_anywhere_sees_as_accurately_as_its_inputs_are_known() {
+    let tally = Tally::new(NAMES, cases() / 4, |rng| {
+        let (parameter, mut inputs) = inputs(rng);
+        inputs.drain(4..7);
+        let speed = program_speed(parameter, inputs[0]);
+        let place = [inputs[4], inputs[5], inputs[6]];
+        let observer = Observer { velocity: ObserverVelocity::REST, place, time: inputs[7] };
+        let seen = observer.disparity(Model::Exact, &speed, point_at(&inputs[1..]), pair(&inputs[8..]), 0.0);
+        let rest = big(if matches!(parameter, Parameter::Gamma) { 1.0 } else { 0.0 });
+        let model = |inputs: &[Big]| {
+            let velocity = [rest.clone(), big(0.0), big(0.0)];
+            disparity(parameter, &[&inputs[..4], &velocity, &inputs[4..]].concat())
+        };
+        case(parameter, inputs, model, columns(&seen.expect("inside the domain")))
+    });
+    tally.assert_within(MAX_ERROR_UNITS);
 }
 
 #[test]

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::progress::Reporter;
 use crate::app::tools::worker::{StepOutcome, Wanted, Work};
+use crate::estimate::data_file::DataFile;
 use crate::estimate::samples::FitKey;
 use crate::estimate::{FitReport, outliers};
 use crate::files::whole::{write_json, write_whole};
@@ -194,6 +195,7 @@ fn fitted(key: &FitKey) -> anyhow::Result<(FitReport, String)> {
     let report = |replicates| -> Result<FitReport, FitError> {
         let mut report = FitReport::new(&samples.observations, &samples.options, replicates, key.setup.seed)?;
         outliers::name_lines(&mut report.outliers, &samples.lines);
+        report.data = key.file().and_then(DataFile::treatment);
         report.cause = report.warning.as_ref().and_then(|_| key.cause(&samples, report.fit.rms));
         Ok(report)
     };

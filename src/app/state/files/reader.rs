@@ -13,7 +13,7 @@ use gamow_platform::{files, threads};
 use relativity_render::PreparedScene;
 
 use crate::app::tools::waker::Woken;
-use crate::estimate::samples::DataFile;
+use crate::estimate::data_file::DataFile;
 use crate::flags::choices::FileKind;
 use crate::lesson::{Lesson, Library, Sequence};
 use crate::scene::Scene;

@@ -8,7 +8,7 @@ use std::time::Duration;
 use eframe::egui::Context;
 use gamow_platform::clock::Instant;
 
-pub use outcome::{FitOutcome, FitSteps, Fitted, FittedCurve};
+pub use outcome::{FitOutcome, FitSteps, Fitted, FittedCurve, reading};
 
 use crate::app::tools::worker::BackgroundWork;
 use crate::estimate::samples::FitKey;

@@ -181,7 +181,9 @@ fn data(samples: &[Measured]) -> [PlotLine; 2] {
     })
 }
 
-fn reading(sample: &Measured, curve: usize) -> Option<f64> {
+/// The angle that a sample of this curve, 0 for Delta-phi and 1 for Delta-theta, was read at.
+#[must_use]
+pub fn reading(sample: &Measured, curve: usize) -> Option<f64> {
     [sample.dphi, sample.dtheta][curve].map(|reading| reading.value)
 }
 

@@ -1,15 +1,20 @@
 //! The samples, the fitted curve with its band, and what the fit leaves over.
 
-use eframe::egui::{self, Align, Align2, Color32, Layout, RichText, TextStyle, Ui, Vec2, Visuals, vec2};
-use egui_plot::{FilledArea, Line, MarkerShape, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
+use eframe::egui::{
+    self, Align, Align2, Color32, Layout, Pos2, RichText, TextStyle, Ui, Vec2, Visuals, vec2,
+};
+use egui_plot::{
+    FilledArea, Line, MarkerShape, Plot, PlotBounds, PlotPoint, PlotPoints, PlotTransform, PlotUi, Points,
+    VLine,
+};
 
-use crate::app::commands::PlaybackCommand;
+use crate::app::commands::{FileCommand, PlaybackCommand};
 use crate::app::panels::Commands;
 use crate::app::panels::plots::axes::{
     Ruler, annotate, bounds, column_label, label_places, plot_over_time, time_at_pointer,
 };
 use crate::app::state::State;
-use crate::app::state::fitting::{FitOutcome, FittedCurve, Fitting};
+use crate::app::state::fitting::{FitOutcome, FittedCurve, Fitting, reading};
 use crate::app::widgets::theme;
 use crate::quantity::Quantity;
 
@@ -187,14 +192,24 @@ impl FitPlot<'_> {
         annotate(ui, &response, (state.clock(), unit), None, &mut labels);
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
-        if let Some(time) = time_at_pointer(&response) {
+        let clicked = response.response.interact_pointer_pos().filter(|_| response.response.clicked());
+        let sample = clicked.and_then(|place| drawing.sample_at(half, &response.transform, place));
+        if let Some(sample) = sample {
+            commands.push(FileCommand::LeaveOut { sample, curve: drawing.curve }.into());
+        } else if let Some(time) = time_at_pointer(&response) {
             commands.push(PlaybackCommand::GoTo(time).into());
         }
     }
 }
 
+/// A click so near to a reading, in points, is on it.
+const ON_A_READING: f32 = 8.0;
+
 /// The drawing of one curve.
 struct CurveDrawing<'a> {
+    outcome: Option<&'a FitOutcome>,
+    /// 0 for Delta-phi, 1 for Delta-theta.
+    curve: usize,
     range: [f64; 2],
     data: &'a [PlotPoint],
     fitted: Option<&'a FittedCurve>,
@@ -212,6 +227,8 @@ impl<'a> CurveDrawing<'a> {
         let faintness = if fitting.is_outdated() { FAINT } else { 1.0 };
         let colour = theme::point_colour(state.document.points.selected().number, visuals);
         Self {
+            outcome,
+            curve,
             range: outcome.map_or([0.0, 1.0], |outcome| outcome.range),
             data: outcome.map_or(&[], |outcome: &FitOutcome| &outcome.data[curve]),
             fitted,
@@ -246,7 +263,8 @@ impl<'a> CurveDrawing<'a> {
 
     fn curve_bounds(&self) -> PlotBounds {
         let line = self.fitted.iter().flat_map(|fitted| fitted.line.iter());
-        bounds(self.data.iter().chain(line).map(|point| point.y), self.range)
+        let shown = self.data.iter().chain(line).map(|point| point.y);
+        bounds(shown.chain(self.left_out_places(Half::Readings).map(|(_, place)| place.y)), self.range)
     }
 
     fn residual_bounds(&self) -> PlotBounds {
@@ -261,6 +279,7 @@ impl<'a> CurveDrawing<'a> {
         self.band(plot, |point| point.y);
         self.dots(plot, "sample", self.data);
         self.outliers(plot, 0);
+        self.left_out(plot, Half::Readings);
         if let Some(fitted) = self.fitted {
             let line = Line::new("fit", &*fitted.line).allow_band(false).allow_hover(false);
             plot.line(line.color(self.fit_colour).width(1.6));
@@ -272,6 +291,7 @@ impl<'a> CurveDrawing<'a> {
         self.band(plot, |_| 0.0);
         self.dots(plot, "sample − fit", &fitted.residuals);
         self.outliers(plot, 1);
+        self.left_out(plot, Half::Residuals);
         let zero = self.range.map(|time| [time, 0.0]).to_vec();
         plot.line(Line::new("0", zero).color(self.fit_colour).width(1.2).allow_hover(false));
     }
@@ -293,6 +313,45 @@ impl<'a> CurveDrawing<'a> {
         let crosses =
             Points::new("stands out", &*fitted.outliers[half]).shape(MarkerShape::Cross).radius(4.5);
         plot.points(crosses.color(self.outlier_colour).allow_hover(false));
+    }
+
+    /// Circles at readings that are left out.
+    fn left_out(&self, plot: &mut PlotUi<'_>, half: Half) {
+        let places: Vec<PlotPoint> = self.left_out_places(half).map(|(_, place)| place).collect();
+        if !places.is_empty() {
+            let circles = Points::new("left out", PlotPoints::Owned(places)).radius(4.0).filled(false);
+            plot.points(circles.color(self.data_colour).allow_hover(false));
+        }
+    }
+
+    /// The samples whose readings are left out, with their places.
+    fn left_out_places(&self, half: Half) -> impl Iterator<Item = (usize, PlotPoint)> {
+        let file = self.outcome.and_then(|outcome| outcome.key.file());
+        let of_curve =
+            file.into_iter().flat_map(|file| &file.left_out).filter(|left| left.curve == self.curve);
+        of_curve.filter_map(move |left| {
+            Some((left.sample, self.place(half, left.sample, [left.time, left.value])?))
+        })
+    }
+
+    /// The place of a reading of a sample; `None` among residuals where there is no fit.
+    fn place(&self, half: Half, sample: usize, [time, value]: [f64; 2]) -> Option<PlotPoint> {
+        let fitted =
+            || (*self.outcome?.fitted.as_ref().ok()?.at_samples.get(sample)?)?.get(self.curve).copied();
+        let base = if half == Half::Readings { 0.0 } else { fitted()? };
+        Some(PlotPoint::new(time, value - base))
+    }
+
+    /// The sample of own data whose reading is at `pointer`, left out or not.
+    fn sample_at(&self, half: Half, transform: &PlotTransform, pointer: Pos2) -> Option<usize> {
+        let outcome = self.outcome.filter(|outcome| outcome.key.file().is_some())?;
+        let taken = outcome.samples.iter().enumerate().filter_map(|(number, sample)| {
+            Some((number, self.place(half, number, [sample.time, reading(sample, self.curve)?])?))
+        });
+        let distance = |place: &PlotPoint| transform.position_from_point(place).distance(pointer);
+        let all = taken.chain(self.left_out_places(half)).map(|(number, place)| (number, distance(&place)));
+        let nearest = all.min_by(|a, b| a.1.total_cmp(&b.1));
+        nearest.filter(|(_, distance)| *distance < ON_A_READING).map(|(number, _)| number)
     }
 
     fn dots<'p>(&self, plot: &mut PlotUi<'p>, name: &str, points: &'p [PlotPoint]) {

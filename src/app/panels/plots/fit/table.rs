@@ -8,7 +8,7 @@ use crate::app::widgets::named_text;
 use crate::app::widgets::theme;
 use crate::caption::capitalised;
 use crate::estimate::samples::Samples;
-use crate::estimate::{Estimate, sigmas};
+use crate::estimate::{Estimate, left_out, sigmas};
 use crate::number_text;
 use crate::units::Unit;
 
@@ -30,6 +30,13 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
         let neglect = Neglect::new(outcome.key.setup.model, made);
         let tip = format!("The same fit to samples without noise, minus the truth.\n{}", neglect.reason);
         ui.label(bias_note(&neglect, bias, length)).on_hover_text(tip);
+    }
+    if let Some(file) = outcome.key.file() {
+        let told = left_out::remark(&file.left_out).as_deref().map_or_else(
+            || "A click on a reading in the plots leaves it out.".to_owned(),
+            |left_out| format!("{} A click on a reading takes it back.", sentence(left_out)),
+        );
+        ui.label(RichText::new(told).weak().small());
     }
     if let Ok(fitted) = &outcome.fitted {
         notes(ui, outcome, fitted);
