@@ -83,7 +83,7 @@ impl FrontMatter {
             "card" => {
                 self.card = card(value).ok_or_else(|| {
                     format!("{key} = {}: must be the name of a preset, or `step 3`", messages::excerpt(value))
-                })?
+                })?;
             }
             "concept" => value.clone_into(&mut self.concept),
             "order" => self.order = whole(value)?,
