@@ -18,7 +18,7 @@ fn all_lessons_and_presets_are_listed_in_columns() {
     let lessons: Vec<_> = lines.iter().take_while(|line| !is_preset(line)).collect();
     assert_eq!(lessons.len(), 21);
     assert!(lines[21..].iter().all(|line| is_preset(&line)) && lines.len() >= 25);
-    assert!(lines[0].starts_with("rods ") && lines[21].starts_with("street "));
+    assert!(lines[0].starts_with("rods ") && lines[21].starts_with("real-light "));
     // Names, minutes, concepts and titles each begin where those above do.
     let header = |file: &str, key: &str| {
         let text = fs::read_to_string(format!("assets/lessons/{file}.md")).expect("it is there");
