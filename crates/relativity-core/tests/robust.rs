@@ -31,7 +31,7 @@ fn rippled(has_sigmas: bool) -> Observations {
     Observations::of_pair(0.1, (0..150).map(sample).collect()).expect("usable samples")
 }
 
-/// By `scipy.optimize.least_squares` of `SciPy` 1.17.1 with `loss` and `f_scale`, on the light cones of both
+/// By `least_squares` of `SciPy` 1.17.1 with `loss` and `f_scale`, on the light cones of both
 /// eyes solved in Python.
 #[test]
 fn robust_fits_are_those_of_scipy() {
