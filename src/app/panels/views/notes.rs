@@ -1,7 +1,7 @@
 //! Notes on a picture: where it is not what an eye would see, drawn exactly, and why a part of it is dark.
 
 use eframe::egui::Ui;
-use relativity_render::{Camera, Colour, Geometry, Method, Projection, StreetColours};
+use relativity_render::{Camera, Colour, Geometry, Method, Motion, Projection, StreetColours, Velocity};
 
 use crate::app::panels::BETWEEN_NOTES;
 use crate::app::state::State;
@@ -46,20 +46,32 @@ fn notes_on_light(state: &State, eye: Eye) -> [Option<String>; 4] {
         Geometry::Rest => Some("at rest".to_owned()),
     };
     let model = state.sees_as_published(eye).then(|| "as published".to_owned());
-    let colour =
-        colour_note(&state.document.settings.light, state.document.settings.geometry()).map(str::to_owned);
+    let colour = colour_note(state).map(str::to_owned);
     let street = street_note(state).map(str::to_owned);
     [geometry, model, colour, street]
 }
 
+/// Whether a picture has bodies beside the street and the rider's own bicycle: on a ride those that move.
+fn has_lit_bodies(state: &State) -> bool {
+    let mut motions = state.document.prepared.groups().iter().map(|group| group.motion);
+    let has_moving = motions.any(|motion| match motion {
+        Motion::Scene => state.speed().beta() > 0.0,
+        Motion::Own(velocity) => velocity != Velocity::REST,
+        Motion::WithEyes => false,
+    });
+    has_moving || !state.document.settings.ride.is_on()
+}
+
 /// Names the light where it is not that of the bodies alone.
-fn colour_note(light: &LightSettings, geometry: Geometry) -> Option<&'static str> {
+fn colour_note(state: &State) -> Option<&'static str> {
+    let (light, geometry) = (&state.document.settings.light, state.document.settings.geometry());
     let on_street = light.doppler_shift && geometry.has_doppler_effect();
     match light.colour {
         Colour::OneWavelength | Colour::Glowing => None,
+        Colour::False => Some("false colour"),
+        _ if !has_lit_bodies(state) => None,
         Colour::StreetDaylight if on_street => Some("lit by the street's daylight"),
         Colour::White | Colour::StreetDaylight => Some("lit by a lamp that rides along"),
-        Colour::False => Some("false colour"),
     }
 }
 
@@ -128,7 +140,7 @@ mod tests {
     use crate::flags::Goal;
     use crate::flags::choices::RendererChoice;
     use crate::scene::Scene;
-    use crate::settings::Settings;
+    use crate::settings::{Preset, Settings};
 
     /// The note appears where an error can be seen, and where a goal is not kept.
     #[test]
@@ -153,5 +165,23 @@ mod tests {
         assert_eq!(drawn_by(&state, Eye::Left, Method::Rays), None);
         // The packets stand in for the rays where a device has no room for a scene's models.
         assert_eq!(drawn_by(&state, Eye::Left, Method::Packets).as_deref(), Some("packets"));
+    }
+
+    /// In most rides nothing moves but the rider, and so no lamp rides along with anything; in one of them
+    /// a cyclist is overtaken.
+    #[test]
+    fn the_light_of_moving_bodies_is_named_where_some_move() {
+        let cases = [
+            ("ride-seasons", None),
+            ("ride-lamps", None),
+            ("ride-post-office", None),
+            ("ride-overtaking", Some("lit by a lamp that rides along")),
+            ("real-light", Some("lit by a lamp that rides along")),
+        ];
+        for (name, note) in cases {
+            let settings = Preset::named(name).expect("a preset").settings.clone();
+            let state = State::open(settings).expect("it opens");
+            assert_eq!(colour_note(&state), note, "{name}");
+        }
     }
 }
