@@ -42,6 +42,7 @@ rider = "street"
 metres = 0.65
 ground_z = -2.5
 street = [2.0, 9.0, 10000.0]      # near kerb, far kerb; house fronts stand at y = 13, and none are painted
+sunlit = true
 
 [[group]]
 name = "street"

@@ -42,6 +42,9 @@ pub struct Scene {
     /// The street on it, along x, in place of a grid: y of the near and of the far kerb of its road, and of
     /// the house fronts beyond.
     pub street: Option<[f64; 3]>,
+    /// Whether its paint has the light and the shadows of a sunny day, so that sky and ground are light in a
+    /// dark window too.
+    pub sunlit: bool,
     /// The models that were read from files.
     pub models: Vec<ModelReport>,
 }

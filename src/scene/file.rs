@@ -48,13 +48,13 @@ fn changed_scene(text: &str, changes: Changes, files: ModelFiles<'_>) -> Result<
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene", models };
     top.check_keys(&[
-        "name", "rider", "metres", "tracked", "ground_z", "street", "include", "wheel", "model", "object",
-        "group",
+        "name", "rider", "metres", "tracked", "ground_z", "street", "sunlit", "include", "wheel", "model",
+        "object", "group",
     ])?;
     let name = top.needed_string("name")?.to_owned();
     let rider = top.string("rider")?.unwrap_or(RIDER).to_owned();
     let (metres, ground_z) = (top.size("metres")?, top.coordinate("ground_z")?);
-    let street = street(&top)?;
+    let (street, sunlit) = (street(&top)?, top.truth("sunlit")?.unwrap_or(false));
     let tracked = top.point("tracked")?;
     let (objects, mut groups) = groups(&top, &name, changes)?;
     let names = names::names(&objects, &groups, &rider)?;
@@ -66,7 +66,7 @@ fn changed_scene(text: &str, changes: Changes, files: ModelFiles<'_>) -> Result<
     };
     let tracked = tracked.unwrap_or(forward_most);
     let models = opened.into_reports();
-    Ok(Scene { name, bodies, names, groups, tracked, rider, metres, ground_z, street, models })
+    Ok(Scene { name, bodies, names, groups, tracked, rider, metres, ground_z, street, sunlit, models })
 }
 
 /// The kerbs of the road on the ground and the house fronts beyond, from the nearest on.

@@ -11,15 +11,15 @@ impl Scene {
     /// equal for others.
     ///
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the
-    /// height of the ground, its street if there is one, and of each group its name, its own beta, and its
-    /// bodies; of a body its shape by the name in a scene file, the numbers of that in the order of the scene
-    /// format (of a box half its size, and its turn as a quaternion), its wavelength, the linear colour of
-    /// other than white paint, the name of its material or the temperature at which it glows after "paint",
-    /// "material" or "glows", and, if it is below 1, its brightness after that word, and if it has one its
-    /// pattern by name, with its spacing; and if it turns after "rolls" or "turns" its axle, the radius on
-    /// which it rolls and, if it does not roll, the speed of its rim; and of a model, whose shape is the box
-    /// around it, after "triangles" the same hash of these, word by word. Names end in a zero byte; numbers
-    /// go in bit by bit, big end first, those that are not there as infinity.
+    /// height of the ground, its street if there is one, "sunlit" if it is, and of each group its name, its
+    /// own beta, and its bodies; of a body its shape by the name in a scene file, the numbers of that in the
+    /// order of the scene format (of a box half its size, and its turn as a quaternion), its wavelength, the
+    /// linear colour of other than white paint, the name of its material or the temperature at which it glows
+    /// after "paint", "material" or "glows", and, if it is below 1, its brightness after that word, and if it
+    /// has one its pattern by name, with its spacing; and if it turns after "rolls" or "turns" its axle, the
+    /// radius on which it rolls and, if it does not roll, the speed of its rim; and of a model, whose shape
+    /// is the box around it, after "triangles" the same hash of these, word by word. Names end in a zero
+    /// byte; numbers go in bit by bit, big end first, those that are not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let mut hash = Hash::default();
@@ -27,6 +27,9 @@ impl Scene {
         hash.numbers(&self.tracked);
         hash.numbers(&[self.ground_z.unwrap_or(f64::INFINITY)]);
         self.street.iter().for_each(|street| hash.numbers(street));
+        if self.sunlit {
+            hash.name("sunlit");
+        }
         for group in &self.groups {
             hash.group(group);
             self.bodies[group.bodies()].iter().for_each(|body| hash.body(body));
@@ -160,7 +163,7 @@ mod tests {
     #[test]
     fn every_part_of_a_scene_shows_in_its_fingerprint() {
         let scene = Scene::preset("cyclist").expect("a preset");
-        let mut others = vec![scene.clone(); 20];
+        let mut others = vec![scene.clone(); 21];
         others[0].name.push('2');
         others[1].tracked[2] += 1e-9;
         others[2].ground_z = None;
@@ -182,10 +185,11 @@ mod tests {
         others[17].bodies[0].emission = Emission::Painted(Paint::Smooth([0.5; 3]));
         others[18].bodies[0].emission = Emission::Painted(Paint::Measured(Material::ALL[0]));
         others[19].bodies[0].emission = Emission::Painted(Paint::Measured(Material::ALL[1]));
+        others[20].sunlit = true;
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
         fingerprints.push(scene.fingerprint());
         fingerprints.sort();
         fingerprints.dedup();
-        assert_eq!(fingerprints.len(), 21);
+        assert_eq!(fingerprints.len(), 22);
     }
 }

@@ -230,7 +230,7 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, include, wheel, model, object, group"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, sunlit, include, wheel, model, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncentre = [0, 3, 2]\nradus = 1"),

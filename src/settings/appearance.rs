@@ -38,11 +38,12 @@ impl Settings {
             fronts: scene.street.map(|[_, _, fronts]| fronts).filter(|_| light.surroundings),
             sky: light.sky,
             street: light.street_colours,
-            light: match light.light {
-                Daylight::Theme => light_window,
-                Daylight::On => true,
-                Daylight::Off => false,
-            },
+            light: scene.sunlit
+                || match light.light {
+                    Daylight::Theme => light_window,
+                    Daylight::On => true,
+                    Daylight::Off => false,
+                },
         }
     }
 

@@ -57,7 +57,7 @@ pub struct LightSettings {
     /// Eyes at rest see them as painted.
     #[arg(long, alias = "street-colors", value_enum)]
     pub street_colours: StreetColours,
-    /// Whether sky and ground are light.
+    /// Whether sky and ground are light. Those of a scene in sunlight always are.
     #[arg(long, value_enum)]
     pub light: Daylight,
 }
