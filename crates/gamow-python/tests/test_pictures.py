@@ -94,7 +94,7 @@ def test_ways_to_give_a_state_agree(tmp_path):
 
 def test_channels_are_measured(gamow_command, tmp_path):
     channels = gamow.render("abreast", channels=True, **SMALL)
-    assert len(channels) == 30 and {array.shape for array in channels.values()} == {(72, 96)}
+    assert len(channels) == 32 and {array.shape for array in channels.values()} == {(72, 96)}
     assert {array.dtype for array in channels.values()} == {np.dtype(np.float32)}
     seen = channels["left.id"] >= 0
     assert seen.any() and (channels["left.distance"][seen] > 0).all()
