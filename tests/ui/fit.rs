@@ -185,7 +185,8 @@ fn what_cannot_be_fitted_is_said_in_words() {
     motion.depth_shift = 5.0;
     motion.height_shift = -1.5;
     slow.run(SettingsCommand::Motion(motion));
-    let cases = [
+    // On the heap: states are large.
+    let cases = vec![
         (together, "Both eyes are in one place (d = 0)"),
         (fitted(0.0, FitSettings::default()), "At rest (β = 0)"),
         (behind, "The fit looks in front of the eyes"),
