@@ -62,7 +62,7 @@ pub struct FitArgs {
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
     fit_x0: bool,
-    /// How residuals count: by their squares, or readings that are far off less, as in `SciPy`.
+    /// Loss function, as in `SciPy`: residuals count by their squares, or less where they are large.
     #[arg(long, value_enum, default_value_t)]
     loss: LossShape,
     /// Residual from which on a reading counts less by a robust --loss: in sigmas where the file has them,

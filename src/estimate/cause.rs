@@ -93,7 +93,7 @@ pub fn find(
 
 /// Root mean square of all readings, radians.
 fn scale(observations: &Observations) -> f64 {
-    let readings = observations.samples().iter().flat_map(|sample| [sample.dphi, sample.dtheta]).flatten();
+    let readings = observations.samples().iter().flat_map(relativity_core::Sample::readings).flatten();
     let (sum, count) =
         readings.fold((0.0, 0.0), |(sum, count), reading| (sum + reading.value.powi(2), count + 1.0));
     f64::sqrt(sum / f64::max(count, 1.0))

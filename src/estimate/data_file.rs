@@ -22,7 +22,7 @@ pub struct DataFile {
     pub has_sigmas: bool,
     /// Whether the file contains the separation of the eyes.
     pub has_separation: bool,
-    /// What was done to the file before it was fitted, if anything was.
+    /// The sentence on what was done to the file before it was fitted, if anything was.
     pub treatment: Option<String>,
     /// Readings that are left out of the fit, as somebody wishes.
     pub left_out: Vec<LeftOut>,
@@ -64,7 +64,7 @@ impl DataFile {
         }
     }
 
-    /// What was done to the file, and which of its readings are left out, in words.
+    /// Returns the words on what was done to the file, and on the readings that are left out.
     #[must_use]
     pub fn treatment(&self) -> Option<String> {
         let words: Vec<String> =

@@ -9,15 +9,15 @@ use super::outliers::reading_name;
 /// A reading that is left out.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LeftOut {
-    /// Its sample, from 0.
+    /// Number of the reading's sample, from 0.
     pub sample: usize,
-    /// Its curve: 0 for dphi, 1 for dtheta.
+    /// Number of the reading's curve: 0 for dphi, 1 for dtheta.
     pub curve: usize,
-    /// Its line in the file, if it has one.
+    /// The line of the file in which it stands, if it is of a file.
     line: Option<u64>,
     /// When it was taken.
     pub time: f64,
-    /// The angle, radians.
+    /// The angle that was read, radians.
     pub value: f64,
 }
 
@@ -26,7 +26,7 @@ impl LeftOut {
     #[must_use]
     pub fn new(data: &Data, sample: usize, curve: usize) -> Option<Self> {
         let taken = data.observations.samples().get(sample)?;
-        let value = [taken.dphi, taken.dtheta][curve]?.value;
+        let value = taken.readings()[curve]?.value;
         Some(Self { sample, curve, line: data.lines.get(sample).copied(), time: taken.time, value })
     }
 }

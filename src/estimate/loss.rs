@@ -17,7 +17,7 @@ pub struct LossReport {
     /// Standard deviation of dphi, radians, from the median of its residuals, where it has no sigmas.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scatter_dphi: Option<f64>,
-    /// Likewise of dtheta.
+    /// Standard deviation of dtheta, likewise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scatter_dtheta: Option<f64>,
 }

@@ -35,7 +35,7 @@ pub fn find(fit: &Fit, observations: &Observations) -> Vec<Outlier> {
     (0..2).filter(|&curve| used[curve]).flat_map(|curve| of_curve(fit, observations, curve)).collect()
 }
 
-/// Names the line of each reading that stands out, where `lines` has that of its sample.
+/// Sets the line of each reading that stands out, where `lines` contains that of its sample.
 pub fn name_lines(outliers: &mut [Outlier], lines: &[u64]) {
     for found in outliers {
         found.line = lines.get(found.sample).copied();
@@ -44,7 +44,7 @@ pub fn name_lines(outliers: &mut [Outlier], lines: &[u64]) {
 
 fn of_curve(fit: &Fit, observations: &Observations, curve: usize) -> Vec<Outlier> {
     let residual = |(sample, taken): (usize, &relativity_core::Sample)| {
-        let reading = [taken.dphi, taken.dtheta][curve]?;
+        let reading = taken.readings()[curve]?;
         let fitted = fit.angles(taken.pair, taken.time)?[curve];
         Some((sample, (reading.value - fitted) / reading.sigma.unwrap_or(1.0), reading.sigma.is_some()))
     };

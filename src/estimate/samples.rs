@@ -116,7 +116,7 @@ impl SamplesWithTruth {
         // Into memory: writing does not fail.
         let _ = rows.write(&mut ["T"].iter().chain(names).chain(&["dphi", "dtheta"]).copied().collect(), &[]);
         for sample in self.fittable.observations.samples() {
-            let curves = [sample.dphi, sample.dtheta].map(|read| read.map_or(f64::NAN, |read| read.value));
+            let curves = sample.readings().map(|read| read.map_or(f64::NAN, |read| read.value));
             let numbers = [&[sample.time], eyes.as_slice(), &curves].concat();
             let _ = rows.write(&mut ByteRecord::new(), &numbers);
         }

@@ -13,7 +13,7 @@ use relativity_render::Picture;
 
 /// Care with which the colours are chosen, from 1 (best) to 30 (fastest).
 const CARE: i32 = 10;
-/// Number of colours of a film. The number after the last stands for a pixel that has not changed.
+/// Number of colours of a film. The number after the last marks pixels that have not changed.
 const COLOURS: usize = 255;
 /// Number of a pixel that has not changed.
 const UNCHANGED: u8 = COLOURS as u8;

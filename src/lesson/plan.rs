@@ -53,7 +53,7 @@ pub(super) fn line_giving(key: &str, toml: &str) -> Option<usize> {
     })
 }
 
-/// What the card of a lesson shows.
+/// The picture on the card of a lesson.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum CardPicture {
     /// The preset of this name.

@@ -80,8 +80,7 @@ fn with_outliers(case: &Case, curves: &[usize], seed: u64, wrong: f64) -> [Obser
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut bad = good.clone();
     for &curve in curves {
-        let value =
-            |sample: &Sample| [sample.dphi, sample.dtheta][curve].map_or(0.0, |reading| reading.value);
+        let value = |sample: &Sample| sample.readings()[curve].map_or(0.0, |reading| reading.value);
         let values = || good.iter().map(value);
         let range = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);
         let sample = &mut bad[random.random_range(0..good.len())];
@@ -117,7 +116,7 @@ fn a_gross_outlier_moves_z_by_less_than_its_standard_error() {
     }
 }
 
-/// Of points and speeds of all kinds, whose passage is unknown.
+/// The cases are points and speeds of all kinds, and their passage is unknown.
 #[test]
 fn the_search_is_not_misled_by_outliers() {
     let mut random = ChaCha8Rng::seed_from_u64(5);

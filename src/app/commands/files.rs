@@ -23,9 +23,9 @@ pub enum FileCommand {
     OpenData(PathBuf),
     /// Leaves a reading of the file that is fitted out, or takes it back.
     LeaveOut {
-        /// Number of its sample, from 0.
+        /// Number of the reading's sample, from 0.
         sample: usize,
-        /// Its curve: 0 for dphi, 1 for dtheta.
+        /// Number of the reading's curve: 0 for dphi, 1 for dtheta.
         curve: usize,
     },
     /// Fits simulated disparities again.

@@ -182,8 +182,8 @@ fn fit_on_screen(cc: &CreationContext<'_>, size: [u32; 2]) {
     }
 }
 
-/// Returns `size`, or as much of it as fits on a `screen`, both in points. No system says how much
-/// its desktop takes: this leaves room for a title bar and a panel at the top or at the bottom.
+/// Returns `size`, or as much of it as fits on a `screen`, both in points. The room that the desktop takes is
+/// not known on any system: a title bar and a panel at the top or at the bottom are left out.
 fn fitting(size: [f32; 2], screen: [f32; 2]) -> [f32; 2] {
     const ROOM: [f32; 2] = [16.0, 96.0];
     std::array::from_fn(|axis| size[axis].min(screen[axis] - ROOM[axis]).max(LEAST_SIDE))

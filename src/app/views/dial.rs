@@ -123,7 +123,7 @@ pub struct DialPlacement {
     pub marker: Pos2,
     /// The view that contains the dial.
     pub view: Rect,
-    /// How much farther from the marker than usual the dial stands, points.
+    /// Distance of the dial from the marker beyond the usual one, points.
     pub farther: f32,
     /// Colour of the dial's rim, and of the line from the marker.
     pub colour: Color32,
@@ -212,8 +212,8 @@ fn face(marker: Pos2, view: Rect, farther: f32) -> (Pos2, f32) {
     (marker + (near + farther) * vec2(x, y), radius)
 }
 
-/// Returns how much farther than usual from its `marker` a dial stands in the `view` to cover nothing that
-/// moves there, as `is_taken` says of a place.
+/// Returns the distance from its `marker`, beyond the usual one, at which a dial in the `view` covers no
+/// place that `is_taken`, points.
 #[must_use]
 pub fn farther(marker: Pos2, view: Rect, is_taken: impl Fn(Pos2) -> bool) -> f32 {
     let room = view.shrink(radius(view) + MARGIN);
@@ -378,8 +378,8 @@ mod tests {
         }
     }
 
-    /// Of a disc of 40 points around the marker nothing is covered, and of one as large as the view the dial
-    /// does not flee.
+    /// The dial covers nothing of a disc of 40 points around the marker, and stays near where all of the view
+    /// is taken.
     #[test]
     fn a_dial_leaves_what_moves_in_sight() {
         let view = Rect::from_min_max(pos2(0.0, 0.0), pos2(300.0, 200.0));

@@ -11,7 +11,7 @@ use crate::app::views::eyes::{EyePictures, Request};
 use crate::eye::Eye;
 use crate::settings::Preset;
 
-/// The ride.
+/// Name of the preset whose ride is shown.
 const PRESET: &str = "ride-seasons";
 /// The rider's clock where the picture begins and ends: from slow enough for green leaves to snow.
 const FROM: f64 = 6.0;

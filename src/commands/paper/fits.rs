@@ -111,7 +111,7 @@ fn write_figure(folder: &Path, name: &str, curve: usize, curves: Curves) -> anyh
         let observations = simulation(model, NOISE)?.observations()?;
         let best = fit(&observations, &FitOptions { model, curves, ..FitOptions::default() })?;
         let times: Vec<f64> = observations.samples().iter().map(|sample| sample.time).collect();
-        let data = observations.samples().iter().filter_map(|sample| [sample.dphi, sample.dtheta][curve]);
+        let data = observations.samples().iter().filter_map(|sample| sample.readings()[curve]);
         let data: Vec<f64> = data.map(|reading| reading.value).collect();
         let fitted: Vec<f64> = times.iter().filter_map(|&time| Some(best.angles(0, time)?[curve])).collect();
         let points = |values: &[f64]| times.iter().zip(values).map(|(&t, &v)| [t, v]).collect();

@@ -378,10 +378,9 @@ impl DataHeader {
 
     /// Number of readings that `sample` lacks.
     fn missing(&self, sample: &Sample) -> usize {
-        let readings = [sample.dphi, sample.dtheta];
         self.curves
             .iter()
-            .zip(readings)
+            .zip(sample.readings())
             .filter(|(curve, reading)| curve.is_some() && reading.is_none())
             .count()
     }

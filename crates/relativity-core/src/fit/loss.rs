@@ -44,7 +44,7 @@ impl LossShape {
 /// A loss function with its scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Loss {
-    /// The function.
+    /// The function by which the residual counts.
     pub shape: LossShape,
     /// C: the residual from which on a reading counts less, in sigmas; without sigmas in standard deviations
     /// of the curve's scatter.
@@ -123,7 +123,7 @@ impl Loss {
         (root.copysign(residual), self.weight(residual) * residual.abs() / root)
     }
 
-    /// (r/C)^2.
+    /// Returns z = (r/C)^2, the square of a residual in scales.
     fn excess(self, residual: f64) -> f64 {
         (residual / self.scale).powi(2)
     }

@@ -60,7 +60,8 @@ pub const NOISE_FREE_ERROR: f64 = 1e-9;
 
 /// The factor by which the scale of a robust loss shrinks from the one that the search is made with.
 const SOFTENING: f64 = 0.1;
-/// How often the scatter that a robust loss is in follows from the fit: it settles by itself.
+/// Number of times that the scatter of a robust fit is found from its residuals, and the fit anew: by then
+/// both have settled.
 const ROBUST_ROUNDS: usize = 6;
 
 /// Half the width of a 95 % interval of a normal distribution, in standard errors.

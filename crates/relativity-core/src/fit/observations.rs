@@ -30,6 +30,14 @@ pub struct Sample {
     pub dtheta: Option<Reading>,
 }
 
+impl Sample {
+    /// Returns the readings of both curves: Delta-phi and Delta-theta.
+    #[must_use]
+    pub const fn readings(&self) -> [Option<Reading>; 2] {
+        [self.dphi, self.dtheta]
+    }
+}
+
 /// The samples of one moving point, and the pairs of apertures (primary, secondary) they refer to.
 ///
 /// N apertures give up to N (N - 1)/2 pairs; those that share the primary are enough.

@@ -218,17 +218,13 @@ impl PreparedData {
     }
 }
 
-fn reading(sample: &Sample, curve: usize) -> Option<Reading> {
-    [sample.dphi, sample.dtheta][curve]
-}
-
 fn has_reading(observations: &Observations, curve: usize) -> bool {
-    observations.samples().iter().any(|sample| reading(sample, curve).is_some())
+    observations.samples().iter().any(|sample| sample.readings()[curve].is_some())
 }
 
 fn range(observations: &Observations, curve: usize) -> f64 {
     let values =
-        || observations.samples().iter().filter_map(|sample| reading(sample, curve)).map(|r| r.value);
+        || observations.samples().iter().filter_map(|sample| sample.readings()[curve]).map(|r| r.value);
     let range = values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
     range.max(0.0)
 }
@@ -244,7 +240,7 @@ fn row(sample: &Sample, used: [bool; 2], scales: [f64; 2]) -> PreparedSample {
     let mut row =
         PreparedSample { time: sample.time, pair: sample.pair, values: [0.0; 2], weights: [0.0; 2] };
     for curve in (0..2).filter(|&curve| used[curve]) {
-        if let Some(Reading { value, sigma }) = reading(sample, curve) {
+        if let Some(Reading { value, sigma }) = sample.readings()[curve] {
             row.values[curve] = value;
             row.weights[curve] = 1.0 / sigma.unwrap_or(scales[curve]);
         }
@@ -254,7 +250,7 @@ fn row(sample: &Sample, used: [bool; 2], scales: [f64; 2]) -> PreparedSample {
 
 /// Whether the readings of `curve` have sigmas: all or none must.
 fn check_sigmas(observations: &Observations, curve: usize) -> Result<bool, FitError> {
-    let readings = || observations.samples().iter().filter_map(|sample| reading(sample, curve));
+    let readings = || observations.samples().iter().filter_map(|sample| sample.readings()[curve]);
     let (with, of) = (readings().filter(|reading| reading.sigma.is_some()).count(), readings().count());
     if with != 0 && with != of {
         return Err(FitError::MixedSigma { curve: NAMES[curve], with, of });

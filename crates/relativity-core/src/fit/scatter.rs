@@ -7,11 +7,11 @@ const NORMAL_MEDIAN: f64 = 0.674_489_750_196_082;
 /// Least rough noise of a curve, as a part of its range without the highest and the lowest twentieth.
 const LEAST_ROUGH: f64 = 0.02;
 const TWENTIETH: f64 = 0.05;
-/// Number of neighbours in time on each side of a reading whose median stands for it.
+/// Number of readings before and after one, in time, with which it is smoothed: by the median of all.
 const NEIGHBOURS: usize = 2;
 
-/// The standard deviation of normal deviates of these magnitudes, from their median, where a fit of so many
-/// `parameters` took out a part of it; 0 of none.
+/// Returns the standard deviation of normal deviates of these magnitudes, from their median: larger by what a
+/// fit of this number of `parameters` takes out of it; 0 of none.
 #[must_use]
 pub fn standard_deviation(magnitudes: impl Iterator<Item = f64>, parameters: usize) -> f64 {
     let mut sizes: Vec<f64> = magnitudes.collect();

@@ -215,7 +215,7 @@ fn a_moving_eye_sees_as_accurately_as_its_inputs_are_known() {
     });
 }
 
-/// Of one at rest, far from the origin too, whose inputs lack a velocity.
+/// The eye is far from the origin, too; its inputs are those of a moving one without the velocity.
 #[test]
 fn an_eye_at_rest_anywhere_sees_as_accurately_as_its_inputs_are_known() {
     let tally = Tally::new(NAMES, cases() / 4, |rng| {

@@ -15,7 +15,7 @@ pub(super) fn style(dash: Dash) -> LineStyle {
     }
 }
 
-/// Returns the colour as CSS has it.
+/// Returns the colour in the notation of CSS: `#RRGGBB`.
 pub(super) fn css(colour: Color32) -> String {
     let [r, g, b, _] = colour.to_srgba_unmultiplied();
     format!("#{r:02X}{g:02X}{b:02X}")

@@ -93,7 +93,7 @@ fn wavelengths() -> impl Iterator<Item = f64> {
     (0..=STEPS).map(move |step| math::powf(10.0, first + (last - first) * f64::from(step) / f64::from(STEPS)))
 }
 
-/// Shows the tab.
+/// Shows the spectra of the selected point, their names with the colours that are seen, and the visible band.
 pub fn show(ui: &mut Ui, state: &State) {
     let spectrum = state.spectrum(!ui.visuals().dark_mode);
     let point = state.name_of(state.document.points.selected());

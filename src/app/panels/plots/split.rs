@@ -13,16 +13,14 @@ const LEAST_TOGETHER: f32 = 170.0;
 pub fn table_and_plots(area: Rect, table_width: f32, least_plots: f32) -> (Rect, Option<Rect>) {
     let split = area.max.x - table_width;
     let plots = Rect::from_min_max(area.min, pos2(split - theme::GAP, area.max.y));
-    if plots.width() < least_plots {
-        let middle = area.min.y + SHARE_ABOVE * area.height();
-        let above = area.with_max_y(middle - theme::GAP);
-        return if area.height() < LEAST_TOGETHER {
-            (area, None)
-        } else {
-            (area.with_min_y(middle), Some(above))
-        };
+    if plots.width() >= least_plots {
+        return (area.with_min_x(split), Some(plots));
     }
-    (Rect::from_min_max(pos2(split, area.min.y), area.max), Some(plots))
+    if area.height() < LEAST_TOGETHER {
+        return (area, None);
+    }
+    let middle = area.min.y + SHARE_ABOVE * area.height();
+    (area.with_min_y(middle), Some(area.with_max_y(middle - theme::GAP)))
 }
 
 /// Shows `contents` inside `rect`.

@@ -99,9 +99,8 @@ pub fn show(
 
 /// Returns the ways in: a ride, a passage, and the lesson that is open or comes next.
 fn ways_in(state: &State, library: &Library) -> Vec<WayIn> {
-    let street = Preset::start();
     let ride = vec![ShowCommand::Ride.into()];
-    let mut watch = vec![ShowCommand::Preset(street).into(), PlaybackCommand::GoToPart(0.0).into()];
+    let mut watch = vec![ShowCommand::Preset(Preset::start()).into(), PlaybackCommand::GoToPart(0.0).into()];
     if !state.scratch.playing {
         watch.push(PlaybackCommand::Toggle.into());
     }

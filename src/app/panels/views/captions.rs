@@ -21,7 +21,9 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
     slide::paint_resting(ui, &inside, state, pane);
     let is_before_audience = !pane.is_in_window();
-    let marks_points = !is_before_audience || state.has_markers_for_audience();
+    // Only instruments, and what stands beside them, make way for what is marked.
+    let marks_points =
+        state.document.settings.ride.is_on() && (!is_before_audience || state.has_markers_for_audience());
     let marked = if marks_points { marked(state, pane) } else { Vec::new() };
     let instruments = instruments::show(ui, &inside, state, pane, &marked);
     let places = instruments.places.clone();

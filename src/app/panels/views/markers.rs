@@ -101,11 +101,15 @@ fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
 }
 
-/// How much farther from its marker at this `place` a clock stands in `pane` to cover no moving body.
+/// Returns the distance, beyond the usual one, of a clock in `pane` from its marker at this `place` at which
+/// it covers no moving body, points.
 fn farther(state: &State, pane: EyePane, place: Pos2) -> f32 {
+    let (view, scene) = (state.view(pane.eye, pane.size), &state.document.prepared);
+    // In the published model no ray leads back from the right eye.
+    let can_look = !state.sees_as_published(pane.eye);
     dial::farther(place, pane.rect, |place| {
-        let seen = state.point_at(pane.eye, pane.pixel(place), pane.size);
-        seen.is_some_and(|(track, _)| track.motion == Motion::Scene)
+        let hit = || scene.first_hit(&view, view.camera.line_of_sight(pane.pixel(place)));
+        can_look && hit().is_some_and(|hit| scene.motion_of(hit.body) == Motion::Scene)
     })
 }
 

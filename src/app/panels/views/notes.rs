@@ -1,10 +1,11 @@
 //! Notes on a picture: where it is not what an eye would see, drawn exactly, and why a part of it is dark.
 
 use eframe::egui::Ui;
-use relativity_render::{Camera, Colour, Geometry, Method, Motion, Projection, StreetColours, Velocity};
+use relativity_render::{Camera, Colour, Geometry, Method, Projection, StreetColours};
 
 use crate::app::panels::BETWEEN_NOTES;
 use crate::app::state::State;
+use crate::app::state::document::Document;
 use crate::app::views::eyes::ShownPicture;
 use crate::app::views::panes::EyePane;
 use crate::caption;
@@ -53,13 +54,8 @@ fn notes_on_light(state: &State, eye: Eye) -> [Option<String>; 4] {
 
 /// Whether a picture has bodies beside the street and the rider's own bicycle: on a ride those that move.
 fn has_lit_bodies(state: &State) -> bool {
-    let mut motions = state.document.prepared.groups().iter().map(|group| group.motion);
-    let has_moving = motions.any(|motion| match motion {
-        Motion::Scene => state.speed().beta() > 0.0,
-        Motion::Own(velocity) => velocity != Velocity::REST,
-        Motion::WithEyes => false,
-    });
-    has_moving || !state.document.settings.ride.is_on()
+    let Document { scene, settings, .. } = &state.document;
+    !settings.ride.is_on() || scene.passing().any(|group| settings.velocity(group.motion).speed.beta() > 0.0)
 }
 
 /// Names the light where it is not that of the bodies alone.

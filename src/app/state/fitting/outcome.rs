@@ -181,10 +181,11 @@ fn data(samples: &[Measured]) -> [PlotLine; 2] {
     })
 }
 
-/// The angle that a sample of this curve, 0 for Delta-phi and 1 for Delta-theta, was read at.
+/// Returns the angle of the sample's reading of a curve, 0 for Delta-phi and 1 for Delta-theta, if it was
+/// taken.
 #[must_use]
 pub fn reading(sample: &Measured, curve: usize) -> Option<f64> {
-    [sample.dphi, sample.dtheta][curve].map(|reading| reading.value)
+    sample.readings()[curve].map(|reading| reading.value)
 }
 
 fn bias(key: &FitKey, simulated: &Simulated) -> Result<[f64; 3], String> {

@@ -10,10 +10,10 @@ use crate::app::state::State;
 const SEARCHED_NM: [f64; 2] = [10.0, 1e6];
 const SEARCHED: u32 = 4000;
 
-/// The light of a point and what becomes of it on the way to the eyes.
+/// The light of a point, and its Doppler shift on the way to each eye.
 #[derive(Debug, Clone)]
 pub struct PointSpectrum {
-    /// Its light at rest: of a body that moves through the street's daylight, in daylight as at rest.
+    /// The point's light at rest: a body that moves through the street's daylight is lit as at rest.
     pub light: Light,
     /// Received over emitted frequency for each eye: 1 where the picture shows no shift, `None` where nothing
     /// is seen.
@@ -108,7 +108,7 @@ mod tests {
         }
     }
 
-    /// What is emitted at a wavelength is received at the core's.
+    /// The second method is the core's formula for the received wavelength.
     #[test]
     fn the_received_spectrum_is_the_emitted_one_at_the_wavelengths_of_the_core() {
         for spectrum in spectra() {

@@ -16,7 +16,7 @@ use crate::view::group_view::GroupView;
 const LEAST_SQUARE: f64 = 1e-280;
 /// Relative error of a place and an offset in f32.
 pub(super) const ROUNDING: f32 = 1e-6;
-/// Greatest spread of a beam for which the entry of its middle ray tells anything of others.
+/// Greatest spread of a beam for which the entry of its middle ray bounds that of others usefully.
 const MOST_SPREAD: f32 = 0.1;
 /// Least cosine of a beam for which bounding planes are of use: at smaller ones the planes that touch it are
 /// all but one.
@@ -36,7 +36,7 @@ pub struct Beam {
 /// The middle ray of a beam, for where it enters boxes.
 #[derive(Debug, Clone, Copy)]
 struct MiddleRay {
-    /// Its point nearest to the middle of the group, from there.
+    /// The point of the ray nearest to the middle of the group, from there.
     place: Vec3,
     /// The distance of that point from the tip of the beam.
     to_place: f32,

@@ -18,7 +18,7 @@ const DASH: f32 = 6.0;
 const SPACE: f32 = 4.0;
 /// Eyes that are further apart than this have names of their own, points.
 const EYES_APART: f32 = 60.0;
-/// Where on its line a present is named, as a part of the line that is shown: at the first free place.
+/// Places on the shown part of a present's line, as shares of it, the first free one of which has its name.
 const NOW_NAMES: [f32; 4] = [0.9, 0.7, 0.5, 0.25];
 
 /// Draws lines of simultaneity, light cones, world lines and rays.

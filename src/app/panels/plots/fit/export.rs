@@ -31,7 +31,7 @@ pub fn csv(state: &State, fitting: &Fitting) -> String {
     for (number, sample) in outcome.samples.iter().enumerate() {
         let fitted = outcome.fitted.as_ref().ok().and_then(|fitted| fitted.at_samples[number]);
         let of_curve = |curve: usize| {
-            let reading = [sample.dphi, sample.dtheta][curve].map_or(f64::NAN, |reading| reading.value);
+            let reading = sample.readings()[curve].map_or(f64::NAN, |reading| reading.value);
             let fitted = fitted.map_or(f64::NAN, |angles| angles[curve]);
             [reading, fitted, reading - fitted]
         };

@@ -28,8 +28,8 @@ const UNIT_WIDTH: f32 = 26.0;
 /// Width from which on the choice of the model and the samples stand in one row.
 const WIDE: f32 = 676.0;
 
-/// Shows the tab: the model and the samples above the plots and the table. Where a lesson, which tells the
-/// numbers, leaves the plots no room beside the table, they stand alone.
+/// Shows the tab: the model and the samples above the plots and the table. Where a lesson, whose text has
+/// the numbers, leaves the plots no room beside the table, they stand alone.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Commands) {
     if state.session.lesson.is_some() && ui.available_width() < TABLE_WIDTH + LEAST_PLOTS {
         plots::show(ui, state, fitting, commands);

@@ -99,7 +99,7 @@ struct Faces<S: Simd> {
     sines: V3<S>,
     /// Half of what the images of the other two axes span across that of each.
     spans: V3<S>,
-    /// Where the ray enters each pair of faces, and the last of these places.
+    /// Distances at which the ray enters each pair of faces, and the greatest of these.
     enters: V3<S>,
     last_entry: F<S>,
 }
