@@ -126,7 +126,7 @@ pub const PROGRAM: House = House {
     strangers: &[["app/", "commands/"]],
     only_in: &[
         ("app/", &["eframe", "egui_plot"]),
-        ("formula/", &["ratex_font", "ratex_layout", "ratex_parser", "ratex_types", "skrifa"]),
+        ("formula/", &["ratex_font", "ratex_layout", "ratex_parser", "ratex_types"]),
     ],
     never: &["std::fs", "std::thread", "std::time::Instant", "std::time::SystemTime"],
 };

@@ -24,6 +24,9 @@ pub mod web;
 mod window;
 mod window_state;
 
+#[cfg(feature = "desktop")]
+use std::sync::Arc;
+
 use eframe::egui::{self, Ui};
 use eframe::egui_wgpu::RenderState;
 use relativity_render::Geometry;
@@ -45,6 +48,8 @@ use crate::app::state::plots::curves::QuantityCurves;
 use crate::app::state::riding::saddle::RideCommand;
 use crate::app::tools::aids;
 use crate::app::tools::gpu_errors::GpuErrors;
+#[cfg(feature = "desktop")]
+use crate::app::tools::system_fonts::SystemFonts;
 use crate::app::tools::watch::Watch;
 use crate::app::views::corrected::Corrected;
 use crate::app::views::examination::Examination;
@@ -69,6 +74,9 @@ pub struct App {
     /// Whether pictures may get smoother while nothing changes.
     refines: bool,
     gpu_errors: GpuErrors,
+    /// Fonts for what the program's own lack; in a page the browser draws that.
+    #[cfg(feature = "desktop")]
+    system_fonts: Arc<SystemFonts>,
     /// Pictures in the projector's window, once there was one.
     projected: Option<EyePictures>,
     /// On which screen the projector's window is.
@@ -103,7 +111,13 @@ impl App {
     #[must_use]
     pub fn new(ctx: &egui::Context, render_state: Option<&RenderState>, state: State) -> Self {
         theme::install(ctx);
+        #[cfg(feature = "desktop")]
+        let system_fonts = Arc::new(SystemFonts::default());
+        #[cfg(feature = "desktop")]
+        ctx.add_font_provider(system_fonts.clone());
         Self {
+            #[cfg(feature = "desktop")]
+            system_fonts,
             state: WindowState::new(state),
             curves: Vec::new(),
             fitting: Fitting::default(),

@@ -108,6 +108,11 @@ impl App {
         focus::paint(&ctx);
         self.update_projector(&ctx);
         self.report_gpu_errors(&ctx);
+        #[cfg(feature = "desktop")]
+        if let Some(text) = self.system_fonts.newly_missing() {
+            self.state.tell(Notice::error(text));
+            ctx.request_repaint();
+        }
         self.fulfil_orders(ui);
         if self.state.scratch.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
             ctx.request_repaint();

@@ -13,6 +13,8 @@ pub(in crate::app) mod image;
 pub mod painting;
 pub(in crate::app) mod preparing;
 mod speed_slider;
+#[cfg(feature = "desktop")]
+pub(in crate::app) mod system_fonts;
 pub(in crate::app) mod waker;
 pub(in crate::app) mod watch;
 pub(in crate::app) mod worker;
