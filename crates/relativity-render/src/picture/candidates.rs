@@ -174,8 +174,9 @@ impl<'a> PictureDivision<'a> {
 
     /// Whether anything in the hierarchy of the group of this number may be seen in `cap`.
     fn shows_standing(&self, group: usize, cap: &Cap) -> bool {
-        let hierarchy = self.scene.hierarchy(group);
-        let beam = self.scene.beam(group, &self.views[group], cap);
+        let view = &self.views[group];
+        let hierarchy = self.scene.hierarchy(group, view);
+        let beam = self.scene.beam(group, view, cap);
         beam.map_or(!hierarchy.is_empty(), |beam| hierarchy.is_met(&beam))
     }
 }
