@@ -1,11 +1,11 @@
-//! Bodies in balls: what hides them is seen in their place from outside, and they from inside, against a test of
-//! every body.
+//! Bodies in balls: what hides them is seen in their place from outside, and they from inside, against a test
+//! of every body.
 
 use relativity_core::{Aperture, Speed};
 use relativity_render::{Body, Camera, Gaze, Geometry, Method, PreparedScene, Renderers, Shape, View};
 
-/// A hollow about (0, 4, 0): three balls one in the other, the inner ones aside, and a rod and a box among them;
-/// beside them a ball that reaches into the largest, and one that is hidden by nothing.
+/// A hollow about (0, 4, 0): three balls one in the other, the inner ones aside, and a rod and a box among
+/// them; beside them a ball that reaches into the largest, and one that is hidden by nothing.
 fn scene() -> PreparedScene {
     let ball = |x, y, radius| Shape::Sphere { center: [x, y, 0.0], radius };
     let rod = Shape::Cylinder { from: [0.6, 4.2, 0.1], to: [0.6, 4.4, 0.5], radius: 0.05 };
@@ -18,6 +18,23 @@ fn scene() -> PreparedScene {
         ball(-2.0, 5.0, 0.4),
     ];
     PreparedScene::moving(&shapes.map(|shape| Body::new(shape, 550.0)))
+}
+
+#[test]
+fn of_equal_bodies_in_one_place_the_first_is_seen() {
+    let shapes = [[0.0, 4.0, 0.0], [0.5, 4.0, 0.0]].map(|center| Shape::Sphere { center, radius: 0.4 });
+    let bodies = [shapes[1], shapes[0], shapes[1], shapes[0], shapes[0]].map(|shape| Body::new(shape, 550.0));
+    let (scene, mut renderers) = (PreparedScene::moving(&bodies), Renderers::default());
+    let camera = Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.2, [48, 36]);
+    let speed = Speed::from_beta(0.5).expect("a speed");
+    let view = View { camera, speed, observation_time: 4.0, geometry: Geometry::Seen };
+    for method in [Method::Reference, Method::Packets] {
+        let hits = renderers.hits(method, &scene, &view).expect("it is drawn").hits;
+        let mut seen: Vec<_> = hits.into_iter().flatten().map(|hit| hit.body).collect();
+        seen.sort_unstable();
+        seen.dedup();
+        assert_eq!(seen, [0, 1], "{method}");
+    }
 }
 
 #[test]
