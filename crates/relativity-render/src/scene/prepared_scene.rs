@@ -138,7 +138,9 @@ impl PreparedScene {
         let spinning = bodies.iter().filter(|body| body.spin.is_some());
         let spinning = spinning.map(|body| body.number as u32).collect();
         let emissions = number_emissions(&mut bodies);
-        let standing = |group: &PreparedGroup| StandingBodies::new(group, &bodies, &solids, &capsules);
+        let standing = |group: &PreparedGroup| {
+            StandingBodies::new(&bodies[group.bodies.clone()], &group.extent, &solids, &capsules)
+        };
         let standing = prepared.iter().map(standing).collect();
         let numbers = (0..bodies.len() as u32).collect();
         let models = bodies.iter().filter_map(|body| Some((body.number, body.triangles.clone()?))).collect();

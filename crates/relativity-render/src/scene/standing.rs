@@ -6,8 +6,8 @@
 use glam::DVec3;
 
 use super::prepared_body::PreparedBody;
-use super::prepared_scene::PreparedGroup;
 use crate::geometry::capsule::Capsule;
+use crate::geometry::extent::Extent;
 use crate::geometry::hierarchy::{Hierarchy, pieces};
 use crate::geometry::intersect::Solid;
 use crate::geometry::shape::Shape;
@@ -41,16 +41,10 @@ struct Ball {
 }
 
 impl StandingBodies {
-    /// Takes those of the bodies of `group`, with all solids and capsules of the scene.
-    pub fn new(
-        group: &PreparedGroup,
-        bodies: &[PreparedBody],
-        solids: &[Solid],
-        capsules: &[Capsule],
-    ) -> Self {
+    /// Takes those of the `bodies` of a group of this `extent`, with all solids and capsules of the scene.
+    pub fn new(bodies: &[PreparedBody], extent: &Extent, solids: &[Solid], capsules: &[Capsule]) -> Self {
         let is_standing = |body: &&PreparedBody| !body.is_turned && !body.is_repeated;
-        let standing = || bodies[group.bodies.clone()].iter().filter(is_standing);
-        let extent = &group.extent;
+        let standing = || bodies.iter().filter(is_standing);
         let boxes = |body: &PreparedBody| {
             pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
         };
