@@ -1,6 +1,8 @@
 //! The search for what is wrong where a fit cannot be right: which single change of what it is given would
 //! explain the readings. Nothing is changed by itself.
 
+use std::borrow::Cow;
+
 use relativity_core::{Curves, FitOptions, Model, Observations, Parameter, Passage, fit, math};
 
 use super::command::command;
@@ -42,6 +44,11 @@ impl Cause {
 /// Least fall of the sum of squares that is worth words.
 const LEAST_FALL: f64 = 4.0;
 
+/// Greatest number of samples with which all changes are tried, and of changes that are then tried with all
+/// samples.
+const MOST_SEARCHED: usize = 2000;
+const MOST_IN_FULL: usize = 3;
+
 /// A change that was tried.
 struct Tried {
     candidate: Candidate,
@@ -63,11 +70,18 @@ pub fn find(
     said: AssumedUnits,
 ) -> Option<Cause> {
     let before = failed.unwrap_or_else(|| scale(observations));
-    let tried = |candidate: &Candidate| Tried::new(observations, *candidate, before);
-    let singles = singles(observations, options, said);
+    let some = thinned(observations);
+    let tried = |candidate: &Candidate| Tried::new(&some, *candidate, before);
+    let singles = singles(&some, options, said);
     let mut all: Vec<Tried> = singles.iter().filter_map(tried).collect();
     if !all.iter().any(|tried| tried.is_chance) {
         all.extend(doubles(&singles).iter().filter_map(tried));
+    }
+    if let Cow::Owned(_) = some {
+        all.sort_by(|a, b| b.is_chance.cmp(&a.is_chance).then(b.fall.total_cmp(&a.fall)));
+        all.truncate(MOST_IN_FULL);
+        let in_full = |tried: Tried| Tried::new(observations, tried.candidate, before);
+        all = all.into_iter().filter_map(in_full).collect();
     }
     // Of those that explain the readings those that adapt no number to them, the nearest point first: far
     // away, a unit of angles does nearly what one of times does. Else the best.
@@ -89,6 +103,17 @@ pub fn find(
         ),
     };
     Some(Cause { candidate: found.candidate, sentence, explains: found.is_chance })
+}
+
+/// The readings, or as many of them as are searched, evenly.
+fn thinned(observations: &Observations) -> Cow<'_, Observations> {
+    // An odd step takes of all kinds where they alternate.
+    let step = observations.samples().len().div_ceil(MOST_SEARCHED) | 1;
+    if step == 1 {
+        return Cow::Borrowed(observations);
+    }
+    let some = observations.samples().iter().step_by(step).copied().collect();
+    Observations::new(observations.pairs().to_vec(), some).map_or(Cow::Borrowed(observations), Cow::Owned)
 }
 
 /// Root mean square of all readings, radians.

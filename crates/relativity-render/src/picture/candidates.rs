@@ -134,8 +134,7 @@ impl<'a> PictureDivision<'a> {
                 scene.bodies()[bodies].iter().for_each(&mut add);
                 continue;
             }
-            let turning = scene.spinning_in(bodies).filter(|&body| scene.turning(body).is_some());
-            turning.for_each(|body| add(&scene.bodies()[body]));
+            scene.turning_in(bodies).for_each(|body| add(&scene.bodies()[body]));
         }
         Self { scene, views, lines_of_sight: view.camera.lines_of_sight(), others }
     }

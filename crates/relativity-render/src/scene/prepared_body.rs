@@ -51,6 +51,8 @@ pub struct PreparedBody {
     pub spin: Option<Spin>,
     /// Whether turning changes where its surface is.
     pub(crate) is_turned: bool,
+    /// Whether it is an earlier body of its group once more, in the same place: that one is seen.
+    pub(crate) is_repeated: bool,
     /// Whether it is drawn by a pipeline that knows patterns.
     pub(crate) is_patterned: bool,
     /// Triangles in the box that is its shape.
@@ -128,6 +130,7 @@ impl PreparedBody {
             marking: marking.filter(|_| body.triangles.is_none()).map(Box::new),
             spin: body.spin,
             is_turned: body.displacing_spin().is_some(),
+            is_repeated: false,
             is_patterned: false,
             triangles: body.triangles.clone(),
         }
@@ -160,6 +163,22 @@ pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
     let widened = shared_ends(bodies, |body| centre(body).to_array().map(f64::to_bits));
     for ((body, as_it_is), widened) in bodies.iter_mut().zip(as_they_are).zip(widened) {
         body.joint = Joint { as_it_is, widened };
+    }
+}
+
+/// Finds out which of `bodies`, those of one group, are earlier ones once more; `solids` are theirs.
+pub(crate) fn find_repeated(bodies: &mut [PreparedBody], solids: &[Solid]) {
+    let place =
+        |solid: &Solid| (solid.center().to_array().map(f64::to_bits), solid.bounding_radius().to_bits());
+    let mut order: Vec<usize> = (0..bodies.len()).collect();
+    order.sort_by_cached_key(|&number| (place(&solids[number]), number));
+    let same = |one: &PreparedBody, other: &PreparedBody| {
+        let triangles = [one, other].map(|body| body.triangles.as_ref().map(Arc::as_ptr));
+        (one.shape, one.turn, one.spin) == (other.shape, other.turn, other.spin)
+            && triangles[0] == triangles[1]
+    };
+    for [first, next] in order.array_windows() {
+        bodies[*next].is_repeated = same(&bodies[*first], &bodies[*next]);
     }
 }
 

@@ -5,7 +5,7 @@ use std::slice;
 use std::sync::Arc;
 
 use super::body::{Body, Emission};
-use super::prepared_body::{PreparedBody, find_joints, find_patterned, number_emissions};
+use super::prepared_body::{PreparedBody, find_joints, find_patterned, find_repeated, number_emissions};
 use super::standing::StandingBodies;
 use super::wheel::solid::TurningSolid;
 use crate::geometry::capsule::Capsule;
@@ -124,6 +124,7 @@ impl PreparedScene {
             }
             find_joints(&mut bodies[first..], &solids[first..]);
             find_patterned(&mut bodies[first..]);
+            find_repeated(&mut bodies[first..], &solids[first..]);
             prepared.push(PreparedGroup { motion, bodies: first..bodies.len(), extent });
             #[cfg(feature = "serde")]
             source.push((motion, own.to_vec()));
@@ -268,10 +269,12 @@ impl PreparedScene {
         &self.0.spinning
     }
 
-    /// The numbers of those among `bodies` that turn, whether out of their places or not.
-    pub(crate) fn spinning_in(&self, bodies: Range<usize>) -> impl Iterator<Item = usize> {
+    /// The numbers of those among `bodies` that turn out of their places, each that is seen.
+    pub(crate) fn turning_in(&self, bodies: Range<usize>) -> impl Iterator<Item = usize> {
         let spinning = self.spinning().iter().map(|&body| body as usize);
-        spinning.skip_while(move |&body| body < bodies.start).take_while(move |&body| body < bodies.end)
+        let own =
+            spinning.skip_while(move |&body| body < bodies.start).take_while(move |&body| body < bodies.end);
+        own.filter(|&body| self.turning(body).is_some() && !self.bodies()[body].is_repeated)
     }
 
     /// Returns the light that bodies emit, each kind once, by its number.

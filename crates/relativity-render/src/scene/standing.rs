@@ -2,9 +2,6 @@
 //!
 //! A body inside of a ball is hidden by it from all eyes that are not in it themselves: where a ray meets
 //! that body, it has met the ball before. Bodies one in the other cost no more than the outermost.
-//! Of bodies that are one and the same in shape and place, the first is seen.
-
-use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -51,9 +48,8 @@ impl StandingBodies {
         solids: &[Solid],
         capsules: &[Capsule],
     ) -> Self {
-        let still = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
-        let first = first_in_their_places(still.collect(), solids);
-        let standing = || first.iter().copied();
+        let is_standing = |body: &&PreparedBody| !body.is_turned && !body.is_repeated;
+        let standing = || bodies[group.bodies.clone()].iter().filter(is_standing);
         let extent = &group.extent;
         let boxes = |body: &PreparedBody| {
             pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
@@ -76,20 +72,6 @@ impl StandingBodies {
         let is_outside = |outside: &&Outside| !outside.balls.iter().any(|ball| ball.holds(eye));
         self.outside.as_ref().filter(is_outside).map_or(&self.all, |outside| &outside.hierarchy)
     }
-}
-
-/// Returns those of `bodies` that are not the same in shape and place as an earlier one, in any order.
-fn first_in_their_places<'a>(mut bodies: Vec<&'a PreparedBody>, solids: &[Solid]) -> Vec<&'a PreparedBody> {
-    let place = |body: &PreparedBody| {
-        let Ball { middle, radius } = Ball::around(&solids[body.number]);
-        (middle.to_array().map(f64::to_bits), radius.to_bits(), body.number)
-    };
-    bodies.sort_by_key(|body| place(body));
-    let triangles = |body: &PreparedBody| body.triangles.as_ref().map(Arc::as_ptr);
-    bodies.dedup_by(|next, first| {
-        (next.shape, next.turn) == (first.shape, first.turn) && triangles(next) == triangles(first)
-    });
-    bodies
 }
 
 impl Ball {

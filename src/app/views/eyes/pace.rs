@@ -6,8 +6,8 @@ use relativity_render::{EyeTarget, Gpu, Picture, PreparedScene, Renderers, View}
 
 use super::request::Request;
 
-/// Time within which the packets draw an eye in a frame, milliseconds: of a scene that they have drawn in full
-/// so far, and of one that they draw coarsely.
+/// Time within which the packets draw an eye in a frame, milliseconds: of a scene that they have drawn in
+/// full so far, and of one that they draw coarsely.
 const MOST_MS: f64 = 500.0;
 const COARSE_MS: f64 = 200.0;
 /// Greatest number of pixels, each way, that are drawn as one.

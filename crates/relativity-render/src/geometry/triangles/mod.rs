@@ -21,6 +21,7 @@ mod paint;
 pub(crate) mod shared;
 pub mod texture;
 
+use std::collections::HashSet;
 use std::sync::{Arc, OnceLock};
 
 use glam::{DVec3, Vec3};
@@ -231,13 +232,24 @@ impl Triangles {
         self.faces[triangle as usize].map(|corner| self.corners[corner as usize].as_dvec3())
     }
 
-    /// The boxes around triangles that have an area.
+    /// The boxes around triangles that have an area, each that is seen: of those that have the same corners
+    /// the first, unless there are holes.
     fn pieces(&self) -> impl Iterator<Item = BodyPart> {
-        (0..self.faces.len() as u32).filter_map(|triangle| {
+        let has_holes = self.textures.iter().any(|texture| texture.cutoff > 0);
+        let mut known = HashSet::with_capacity(self.faces.len());
+        (0..self.faces.len() as u32).filter_map(move |triangle| {
             let [a, b, c] = self.corners_of(triangle);
             let corners = [a.min(b).min(c), a.max(b).max(c)];
             let has_area = (b - a).cross(c - a) != DVec3::ZERO;
-            has_area.then_some(BodyPart { body: triangle, is_one_of_some: false, corners })
+            let mut face = self.faces[triangle as usize];
+            if self.is_two_sided {
+                face.sort_unstable();
+            }
+            (has_area && (has_holes || known.insert(face))).then_some(BodyPart {
+                body: triangle,
+                is_one_of_some: false,
+                corners,
+            })
         })
     }
 

@@ -163,9 +163,7 @@ fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds:
         out.extend(prepared.bodies.clone().map(|body| body as u32));
         return;
     };
-    let turning = scene.spinning().iter().copied();
-    let is_in = |body: &u32| prepared.bodies.contains(&(*body as usize));
-    out.extend(turning.filter(|body| is_in(body) && scene.turning(*body as usize).is_some()));
+    out.extend(scene.turning_in(prepared.bodies.clone()).map(|body| body as u32));
     scene.hierarchy(group, view).along(&beam, |candidate| {
         out.push(candidate.body);
         f32::INFINITY
