@@ -3,13 +3,14 @@
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
-use gamow_platform::{limits, messages};
+use gamow_platform::{interrupt, limits, messages};
 
 use clap::Parser as _;
 use gamow::cli::{self, Cli};
 
 fn main() -> ExitCode {
     limits::fail_beyond_file_size();
+    interrupt::handle();
     // The graphics libraries log as errors what they then get over, or what is reported below.
     let quiet = env_logger::Env::default().default_filter_or("error,eframe=off,wgpu_hal=off,rfd=off");
     env_logger::Builder::from_env(quiet)

@@ -20,11 +20,11 @@ pub enum ObservationError {
     #[error("d = {0:?} is out of range: it must be between 0 and 1e60")]
     Separation(f64),
     /// An angle that is more than half a turn.
-    #[error("{name} = {value:?} is out of range: it must be between -pi and pi, in radians")]
+    #[error("{name} = {value:?} is out of range: it must be between -180 and 180, in degrees")]
     Angle {
         /// The column of the angle.
         name: &'static str,
-        /// Value that is out of range.
+        /// Value that is out of range, degrees.
         value: f64,
     },
     /// A place on a wheel that is none.
@@ -102,5 +102,12 @@ impl ObservationError {
 
 /// Refuses an angle, radians, that is more than half a turn.
 pub(super) fn check_half_turn(name: &'static str, value: f64) -> Result<(), ObservationError> {
-    if (-PI..=PI).contains(&value) { Ok(()) } else { Err(ObservationError::Angle { name, value }) }
+    let value_in_degrees = || ObservationError::Angle { name, value: value.to_degrees() };
+    if (-PI..=PI).contains(&value) { Ok(()) } else { Err(value_in_degrees()) }
+}
+
+/// Returns an angle in degrees as radians; refuses one that is more than half a turn.
+pub(super) fn half_turn(name: &'static str, value: f64) -> Result<f64, ObservationError> {
+    let is_one = (-180.0..=180.0).contains(&value);
+    if is_one { Ok(value.to_radians()) } else { Err(ObservationError::Angle { name, value }) }
 }

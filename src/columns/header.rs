@@ -4,7 +4,7 @@ use csv::ByteRecord;
 use relativity_core::{Baseline, Observer, ObserverVelocity, SourcePoint, StereoError};
 use thiserror::Error;
 
-use super::error::ObservationError;
+use super::error::{ObservationError, half_turn};
 use super::names::{
     OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, ROLL, TURN, WHEEL, observer_speed,
 };
@@ -149,7 +149,8 @@ impl Header {
             Some([radius, rho, angle]) => rolling(point, [number(radius)?, number(rho)?, number(angle)?]),
         };
         let [roll, turn] = self.head.map(|place| place.map_or(Ok(0.0), &number));
-        let baseline = Baseline { separation: number(self.d)?, roll: roll?, turn: turn? };
+        let [roll, turn] = [half_turn(ROLL, roll?)?, half_turn(TURN, turn?)?];
+        let baseline = Baseline { separation: number(self.d)?, roll, turn };
         let time = number(self.time)?;
         let observer = match &self.observer {
             None => Observer { velocity: ObserverVelocity::REST, place: [0.0; 3], time },

@@ -31,13 +31,13 @@ and of a point on a wheel (wheel_radius, rho, angle; x0, y and z are the hub's, 
 and with --stereo where two eyes place the point, which is where their lines of sight meet:
   stereo_gain  (x_left - x_right)/d: 1 for a point at rest; of a wheel's point as for a tilted head
   stereo_x     that place, from between the eyes; stereo_y and stereo_z too
-A head that is tilted or turned (roll, turn) has its eyes at +-d/2 (cos roll cos turn, cos roll sin turn, sin roll). Their \
+A head that is tilted or turned (roll, turn, degrees) has its eyes at +-d/2 (cos roll cos turn, cos roll sin turn, sin roll). Their \
 lines of sight pass each other: the place is the middle of their shortest connection, and empty where they do not meet in \
 front; the gain is the component of the parallax along that of a resting point, divided by that; and with --stereo
   stereo_miss  length of that connection
 The lines of sight to a point of a wheel pass each other too, since each eye sees it elsewhere: it has a stereo_miss as well.
 
-An observer who moves (observer_beta, observer_gamma or observer_rapidity; observer_azimuth and observer_elevation, radians; \
+An observer who moves (observer_beta, observer_gamma or observer_rapidity; observer_azimuth and observer_elevation, degrees; \
 observer_x, observer_y, observer_z: where the middle between the eyes is on the ground at T) has x, phi, theta, dphi, dtheta, u and v \
 in axes of their own frame, which are the ground's, boosted along the velocity without turning; d is measured there, too. \
 t is still by the ground's clocks. Then there are also, for each eye

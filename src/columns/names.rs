@@ -28,9 +28,9 @@ pub(super) const COLUMNS: [&str; 21] = [
     "stereo_z",
     "stereo_miss",
 ];
-/// The columns of how the head is held, radians.
+/// The column of the head's tilt, degrees.
 pub const ROLL: &str = "roll";
-/// The column of the head's turn, radians.
+/// The column of the head's turn, degrees.
 pub const TURN: &str = "turn";
 /// The columns of where on a wheel a point is.
 pub const WHEEL: [&str; 3] = ["wheel_radius", "rho", "angle"];
@@ -48,7 +48,7 @@ pub const ANGLES: &[&str] = COLUMNS.split_at(14).0.split_at(8).1;
 
 /// The columns of an observer's speed, in the order of [`SpeedParameter::ALL`].
 pub const OBSERVER_SPEED: [&str; 3] = ["observer_beta", "observer_gamma", "observer_rapidity"];
-/// The columns of where the observer moves, radians: from +x towards +y, and up from the x-y plane.
+/// The columns of where the observer moves, degrees: from +x towards +y, and up from the x-y plane.
 pub const OBSERVER_DIRECTION: [&str; 2] = ["observer_azimuth", "observer_elevation"];
 /// The columns of where the middle between the eyes is at T.
 pub const OBSERVER_PLACE: [&str; 3] = ["observer_x", "observer_y", "observer_z"];
@@ -56,6 +56,14 @@ pub const OBSERVER_PLACE: [&str; 3] = ["observer_x", "observer_y", "observer_z"]
 pub const CLOCK: &str = "clock";
 /// Beginning of the names of an observer's columns.
 pub const OBSERVER_PREFIX: &str = "observer_";
+
+/// Returns the degrees that lead back to just these radians, with as few digits as that takes.
+#[must_use]
+pub fn degrees(radians: f64) -> f64 {
+    let all = radians.to_degrees();
+    let short = format!("{all:.14e}").parse().unwrap_or(all);
+    if f64::to_radians(short) == radians { short } else { all }
+}
 
 /// The column of an observer's speed in this `parameter`.
 #[must_use]
@@ -71,6 +79,14 @@ pub const fn observer_speed(parameter: SpeedParameter) -> &'static str {
 mod tests {
     use super::*;
     use crate::quantity::Quantity;
+
+    #[test]
+    fn degrees_lead_back() {
+        for tenths in -1800..=1800 {
+            let given = f64::from(tenths) / 10.0;
+            assert_eq!(degrees(given.to_radians()), given);
+        }
+    }
 
     #[test]
     fn columns_are_named_by_the_identifiers_of_quantities() {

@@ -2,7 +2,7 @@
 
 use relativity_core::{Observer, ObserverVelocity, Speed};
 
-use super::error::{ObservationError, check_half_turn};
+use super::error::{ObservationError, half_turn};
 use super::names::OBSERVER_DIRECTION;
 use crate::flags::GivenObserver;
 
@@ -13,11 +13,10 @@ impl GivenObserver {
     ///
     /// A speed or a direction out of range.
     pub fn observer(&self, time: f64) -> Result<Observer, ObservationError> {
-        for (name, value) in OBSERVER_DIRECTION.into_iter().zip(self.direction) {
-            check_half_turn(name, value)?;
-        }
+        let [azimuth, elevation] = OBSERVER_DIRECTION;
+        let azimuth = half_turn(azimuth, self.direction[0])?;
+        let elevation = half_turn(elevation, self.direction[1])?;
         let speed = self.speed.map_or(Ok(Speed::REST), |(parameter, value)| parameter.speed(value));
-        let [azimuth, elevation] = self.direction;
         let velocity =
             ObserverVelocity::new(speed.map_err(ObservationError::ObserverSpeed)?, azimuth, elevation);
         Ok(Observer { velocity, place: self.place, time })

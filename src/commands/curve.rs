@@ -2,7 +2,7 @@
 
 use clap::Args;
 use csv::ByteRecord;
-use relativity_core::{Aperture, Baseline, SourcePoint, StereoError};
+use relativity_core::{Aperture, SourcePoint, StereoError};
 
 use crate::columns::{
     CLOCK, GivenInputs, HELP, ModelArgs, OBSERVER_DIRECTION, OBSERVER_PLACE, Observation, ObservationError,
@@ -22,7 +22,7 @@ const CYCLIST_BETA: f64 = 0.9;
 /// Writes what two eyes see of one point over a range of observation times, as CSV.
 ///
 /// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names
-/// that `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and
+/// that `gamow eval` reads; roll and turn, in degrees, are among them where the head is tilted or turned, and
 /// `wheel_radius`, rho and angle where the point is on a wheel.
 ///
 /// With a moving observer (--observer-beta and others) the range is one of the observer's clock, the column
@@ -162,8 +162,8 @@ impl CurveArgs {
     fn inputs(&self, observation: &Observation) -> Vec<(&'static str, f64)> {
         let (parameter, speed) = self.speed.parameter(CYCLIST_BETA);
         let mut inputs = vec![(parameter.name(), speed), ("d", self.d)];
-        let Baseline { roll, turn, .. } = observation.baseline;
         if self.given_inputs().is_turned {
+            let [roll, turn] = self.head.degrees().map(Option::unwrap_or_default);
             inputs.extend([(ROLL, roll), (TURN, turn)]);
         }
         inputs.extend(self.wheel.given().into_iter().flat_map(|wheel| WHEEL.into_iter().zip(wheel)));

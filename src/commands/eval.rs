@@ -15,7 +15,7 @@ use crate::files::{csv_in, csv_out};
 ///
 /// The header names the columns, in any order: exactly one of beta, gamma, rapidity; d (eye separation); y
 /// and z (the point's depth and height); T (when the light arrives); optionally x0 (the point's x at t = 0,
-/// else 0), roll and turn (by how much the head is tilted and turned, in radians, else 0), and
+/// else 0), roll and turn (by how much the head is tilted and turned, in degrees, else 0), and
 /// `wheel_radius`, rho and angle (of a point on a wheel that rolls, whose hub is at x0, y and z: the radius
 /// of the wheel, how far the point is from the hub in radii, and where it is at t' = 0 by the clocks that
 /// ride with the hub, from +x towards +z, in radians), and how the observer moves (`observer_beta` and

@@ -23,8 +23,8 @@ use crate::number_text;
 ///
 /// The header names the columns, in any order: T (when the light arrives); dphi, dtheta or both (left minus
 /// right, radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (eye
-/// separation) unless --d gives it; roll and turn (radians) where the head was tilted or turned, unless
-/// --roll and --turn (degrees) say so. Other columns are ignored. A disparity that was not measured is left
+/// separation) unless --d gives it; roll and turn (degrees) where the head was tilted or turned, unless
+/// --roll and --turn say so. Other columns are ignored. A disparity that was not measured is left
 /// empty, or is NaN, NA, #N/A or -.
 ///
 /// Files of spreadsheets, `NumPy`, R, phyphox, Logger Pro and Tracker are read as they are: with units behind
@@ -40,7 +40,7 @@ pub struct FitArgs {
     /// Separation of the eyes; without it, the file's column d.
     #[arg(long, value_parser = separation, allow_hyphen_values = true)]
     d: Option<f64>,
-    /// Tilt and turn of the head; without them, the file's columns roll and turn (in radians), else straight.
+    /// Tilt and turn of the head; without them, the file's columns roll and turn, else straight.
     #[command(flatten)]
     head: HeadArgs,
     /// Model of the two eyes' views.
@@ -172,7 +172,8 @@ impl FitArgs {
                     outliers::name_lines(&mut report.outliers, &data.lines);
                 }
                 let cause = report.warning.is_some().then(|| cause(Some(report.fit.rms))).flatten();
-                Ok(FitReport { riding: self.riding, data: data.treatment, cause, ..report })
+                let (riding, lines) = (self.riding, data.lines);
+                Ok(FitReport { riding, lines, data: data.treatment, cause, ..report })
             }
             Err(error) => {
                 let is_of_data = matches!(

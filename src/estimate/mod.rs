@@ -60,6 +60,12 @@ pub struct FitReport {
     /// Readings that stand out.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub outliers: Vec<Outlier>,
+    /// The line of each reading's row in its file; none of simulated ones.
+    #[serde(skip)]
+    pub lines: Vec<u64>,
+    /// For dphi and dtheta the residual of each row, reading minus fit, radians; NaN where there is none.
+    #[serde(skip)]
+    pub misses: [Vec<f64>; 2],
     /// The bootstrap behind the uncertainties.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<BootstrapSummary>,
@@ -275,6 +281,7 @@ impl FitReport {
             _ => Fits::default(),
         };
         let outliers = outliers::find(&joint.0, observations);
+        let misses = residuals::misses(&joint.0, observations);
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
         let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
@@ -297,6 +304,8 @@ impl FitReport {
             riding: false,
             wheel,
             loss,
+            lines: Vec::new(),
+            misses,
             sigmas,
             fit,
             bootstrap,

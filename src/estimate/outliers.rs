@@ -4,6 +4,7 @@ use relativity_core::fit::standard_deviation;
 use relativity_core::{Fit, Observations, math};
 use serde::{Deserialize, Serialize};
 
+use super::residuals;
 use crate::number_text::significant;
 
 /// A reading that stands out.
@@ -44,9 +45,8 @@ pub fn name_lines(outliers: &mut [Outlier], lines: &[u64]) {
 
 fn of_curve(fit: &Fit, observations: &Observations, curve: usize) -> Vec<Outlier> {
     let residual = |(sample, taken): (usize, &relativity_core::Sample)| {
-        let reading = taken.readings()[curve]?;
-        let fitted = fit.angles(taken.pair, taken.time)?[curve];
-        Some((sample, (reading.value - fitted) / reading.sigma.unwrap_or(1.0), reading.sigma.is_some()))
+        let (sigma, miss) = (taken.readings()[curve]?.sigma, residuals::miss(fit, taken, curve)?);
+        Some((sample, miss / sigma.unwrap_or(1.0), sigma.is_some()))
     };
     let residuals: Vec<_> = observations.samples().iter().enumerate().filter_map(residual).collect();
     let parameters = fit.parameters().len();

@@ -1,6 +1,6 @@
 //! What the residuals of a fit say of it: whether they are chance, or follow one another.
 
-use relativity_core::{Fit, SerialCorrelation};
+use relativity_core::{Fit, Observations, Sample, SerialCorrelation};
 use serde::{Deserialize, Serialize};
 
 use crate::number_text::significant;
@@ -23,6 +23,25 @@ impl From<SerialCorrelation> for Residuals {
         let SerialCorrelation { durbin_watson, expected, probability } = serial;
         Self { durbin_watson, expected, probability, chance: serial.is_chance() }
     }
+}
+
+/// Returns by how much a reading is off the fit, radians: that of `curve`, 0 for dphi and 1 for dtheta.
+/// `None` where there is none.
+#[must_use]
+pub fn miss(fit: &Fit, sample: &Sample, curve: usize) -> Option<f64> {
+    let reading = sample.readings()[curve]?;
+    Some(reading.value - fit.angles(sample.pair, sample.time)?[curve])
+}
+
+/// Returns the same for all samples and both curves: NaN without a reading, or if its curve is not fitted.
+#[must_use]
+pub fn misses(fit: &Fit, observations: &Observations) -> [Vec<f64>; 2] {
+    let used = fit.options.curves.used();
+    let of_sample = |sample, curve: usize| {
+        if used[curve] { miss(fit, sample, curve).unwrap_or(f64::NAN) } else { f64::NAN }
+    };
+    let samples = observations.samples();
+    [0, 1].map(|curve| samples.iter().map(|sample| of_sample(sample, curve)).collect())
 }
 
 /// Whether the residuals of `fit` may be chance.

@@ -16,7 +16,7 @@ use super::command::command;
 use super::data::{AssumedUnits, Data};
 use super::data_file::DataFile;
 use super::left_out;
-use crate::columns::{ROLL, TURN};
+use crate::columns::{ROLL, TURN, degrees};
 use crate::files::csv_out::CsvWriter;
 use crate::scene::{Scene, Track};
 use crate::settings::{FitSettings, Settings, message};
@@ -147,7 +147,7 @@ fn along_street(settings: &Settings, point: &Track) -> Option<(Settings, Track)>
 pub enum EyeColumns {
     /// The separation alone: the head is straight.
     Separation,
-    /// The separation, and the head's roll and turn, in radians.
+    /// The separation, and the head's roll and turn, in degrees.
     Head,
 }
 
@@ -172,7 +172,7 @@ impl EyeColumns {
     pub fn numbers(self, Baseline { separation, roll, turn }: Baseline) -> Vec<f64> {
         match self {
             Self::Separation => vec![separation],
-            Self::Head => vec![separation, roll, turn],
+            Self::Head => vec![separation, degrees(roll), degrees(turn)],
         }
     }
 }

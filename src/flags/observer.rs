@@ -9,7 +9,7 @@ use super::{COORDINATES, HEAD_DEGREES, SpeedParameter, finite_number, within};
 pub struct GivenObserver {
     /// The parameter that gives the speed, and its value.
     pub speed: Option<(SpeedParameter, f64)>,
-    /// Azimuth and elevation of the velocity, radians.
+    /// Azimuth and elevation of the velocity, degrees.
     pub direction: [f64; 2],
     /// Place on the ground of the middle between the eyes.
     pub place: [f64; 3],
@@ -74,7 +74,7 @@ impl ObserverArgs {
         let is_given = speed.is_some() || direction.iter().chain(&place).any(Option::is_some);
         is_given.then(|| GivenObserver {
             speed,
-            direction: direction.map(|angle| angle.unwrap_or_default().to_radians()),
+            direction: direction.map(Option::unwrap_or_default),
             place: place.map(Option::unwrap_or_default),
         })
     }

@@ -34,9 +34,14 @@ impl Settings {
     /// # Errors
     /// A scene that cannot be had.
     pub fn opened_scene(&self) -> Result<Scene, SceneError> {
-        let scene = Scene::open(&self.scene)?;
+        Ok(self.furnished(Scene::open(&self.scene)?))
+    }
+
+    /// Returns `scene` as it is shown: without surroundings that are left out, with the bicycle that is ridden.
+    #[must_use]
+    pub fn furnished(&self, scene: Scene) -> Scene {
         let scene = if self.light.surroundings { scene } else { scene.without_surroundings() };
-        Ok(if self.ride.has_bicycle() { scene.with_own_bicycle() } else { scene })
+        if self.ride.has_bicycle() { scene.with_own_bicycle() } else { scene }
     }
 
     /// The point of `scene` that is tracked. One that is among the followed points moves with its body.

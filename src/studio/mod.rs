@@ -49,12 +49,28 @@ impl Studio {
     /// A scene or a renderer that cannot be had, the published geometry of a head that is tilted or turned,
     /// eyes that no ride can carry, or a comparison that there is not.
     pub fn new(settings: Settings) -> anyhow::Result<Self> {
-        settings.check_geometry()?;
-        settings.check_eyes()?;
-        settings.check_comparison()?;
-        let scene = settings.opened_scene()?;
+        Self::check(&settings)?;
+        let scene = Scene::open(&settings.scene)?;
+        Self::showing(settings, scene)
+    }
+
+    /// A studio for this `scene` in place of that which `settings` name.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`].
+    pub fn showing(settings: Settings, scene: Scene) -> anyhow::Result<Self> {
+        Self::check(&settings)?;
+        let scene = settings.furnished(scene);
         let tracked = settings.track(&scene);
         Self::of_scene(settings, scene, tracked)
+    }
+
+    /// Refuses settings that nothing draws.
+    fn check(settings: &Settings) -> anyhow::Result<()> {
+        settings.check_geometry()?;
+        settings.check_eyes()?;
+        Ok(settings.check_comparison()?)
     }
 
     /// Returns a studio for this `scene` with `settings`, with this point `tracked`, and the renderer that

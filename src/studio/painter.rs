@@ -133,7 +133,7 @@ impl Painter {
     ///
     /// # Errors
     ///
-    /// A size the device cannot draw, or a device that was lost.
+    /// A size the device cannot draw, a device that was lost, or work that was given up.
     pub fn picture(
         &mut self,
         scene: &PreparedScene,
@@ -142,6 +142,7 @@ impl Painter {
     ) -> anyhow::Result<Picture> {
         let start = Instant::now();
         let picture = self.renderers.picture(self.method, scene, view, appearance, self.samples)?;
+        check_whole()?;
         if let Some(Choosing { automatic, is_measured, .. }) = &mut self.automatic {
             let (method, now_ms) = (self.method.of_view(view), self.clock.elapsed_ms());
             let is_due = automatic.costs().is_due(method, view.geometry, now_ms);
@@ -157,9 +158,11 @@ impl Painter {
     ///
     /// # Errors
     ///
-    /// A size the device cannot draw, or a device that was lost.
+    /// A size the device cannot draw, a device that was lost, or work that was given up.
     pub fn hits(&mut self, scene: &PreparedScene, view: &View) -> anyhow::Result<HitImage> {
-        Ok(self.renderers.hits(self.method, scene, view)?)
+        let hits = self.renderers.hits(self.method, scene, view)?;
+        check_whole()?;
+        Ok(hits)
     }
 
     /// Returns a description of the painter of `view`, for a reader.
@@ -183,4 +186,10 @@ impl Painter {
             None => method,
         }
     }
+}
+
+/// Refuses a picture that was given up before it was whole.
+fn check_whole() -> anyhow::Result<()> {
+    anyhow::ensure!(relativity_core::threads::goes_on()(), "given up");
+    Ok(())
 }

@@ -56,9 +56,9 @@ fn a_head_that_cannot_be_held_so_is_one_clear_line() {
         "the model published has both eyes along the motion: the head can be neither tilted nor turned";
     let complaint = words("curve --roll 10 --model published").complaint();
     assert!(complaint.contains(published), "{complaint}");
-    let input = "beta,d,y,z,T,roll\n0.9,0.3,0.5,0.5,0,4\n";
+    let input = "beta,d,y,z,T,roll\n0.9,0.3,0.5,0.5,0,181\n";
     let complaint = run(gamow().arg("eval"), input.as_bytes()).complaint();
-    let said = "column roll: roll = 4.0 is out of range: it must be between -pi and pi, in radians";
+    let said = "column roll: roll = 181.0 is out of range: it must be between -180 and 180, in degrees";
     assert!(complaint.contains(said), "{complaint}");
     let complaint =
         words("render --scene two-balls --geometry published --turn 5 --size 8x6 --out never.png")

@@ -342,6 +342,7 @@ fn photographs_that_record_nothing_are_measured_by_flags() {
     // What is known by flags can be said of a file that records something else, too.
     let csv = run_gamow(folder.path(), &format!("{measure} {flags} --times 3,5 --roll 10"));
     assert!(csv.starts_with("T,d,roll,turn,"), "{csv}");
+    assert!(csv.lines().skip(1).all(|row| row.split(',').nth(2) == Some("10")), "{csv}");
 }
 
 /// Other programs keep the texts of a picture in chunks of their own.

@@ -1,7 +1,8 @@
-//! Interrupts (Ctrl-C), and requests to end.
+//! Interrupts (Ctrl-C), and requests to end: handled in a program that says so, and left to the host of a
+//! library, such as Python.
 
 use std::any::Any;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Once, OnceLock};
 
 /// Exit status after an interrupt, the same as in shells.
@@ -13,11 +14,19 @@ const IS_NOTED: u8 = 1;
 const WAS_NOTED: u8 = 2;
 static STATE: AtomicU8 = AtomicU8::new(ENDS);
 
+/// Whether this process is a program of ours, whose interrupts are handled here.
+static IS_OURS: AtomicBool = AtomicBool::new(false);
+
+/// Says that this process is a program of ours. Without it no handler is ever installed.
+pub fn handle() {
+    IS_OURS.store(true, Ordering::SeqCst);
+}
+
 type Before = Box<dyn Fn() -> Box<dyn Any> + Send + Sync>;
 static BEFORE: OnceLock<Before> = OnceLock::new();
 
 /// Ends the program when it is interrupted, after `before`; what that gives is held until the end. Only the
-/// first call has an effect; where interrupts cannot be caught, they end the program as ever.
+/// first call has an effect; where interrupts cannot be caught, or are left to a host, they do as ever.
 pub fn end_after<T: 'static>(before: impl Fn() -> T + Send + Sync + 'static) {
     BEFORE.get_or_init(|| Box::new(move || Box::new(before())));
     catch();
@@ -25,6 +34,9 @@ pub fn end_after<T: 'static>(before: impl Fn() -> T + Send + Sync + 'static) {
 
 fn catch() {
     static HANDLER: Once = Once::new();
+    if !IS_OURS.load(Ordering::SeqCst) {
+        return;
+    }
     HANDLER.call_once(|| {
         let end = || {
             let noted = STATE.compare_exchange(IS_NOTED, WAS_NOTED, Ordering::SeqCst, Ordering::SeqCst);

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::io::{self, StdoutLock, Write as _};
+use std::sync::{Mutex, PoisonError};
 
 /// `text` as messages quote it: on one line, with nothing in it that a terminal would obey. What is not fit
 /// to be shown stands as its escape.
@@ -61,7 +62,25 @@ pub fn in_short(text: &str) -> String {
 
 /// Prints `remark` to standard error, ignoring a closed stream.
 pub fn remark(remark: impl fmt::Display) {
-    let _ = writeln!(io::stderr(), "{}", in_short(&shown(&remark.to_string())));
+    let remark = in_short(&shown(&remark.to_string()));
+    match HELD.lock().unwrap_or_else(PoisonError::into_inner).as_mut() {
+        Some(held) => held.push(remark),
+        None => drop(writeln!(io::stderr(), "{remark}")),
+    }
+}
+
+/// Remarks that the host of a library takes, in place of standard error.
+static HELD: Mutex<Option<Vec<String>>> = Mutex::new(None);
+
+/// Holds remarks back from now on, until [`take_held`].
+pub fn hold() {
+    *HELD.lock().unwrap_or_else(PoisonError::into_inner) = Some(Vec::new());
+}
+
+/// Returns the remarks that were held back since the last time.
+#[must_use]
+pub fn take_held() -> Vec<String> {
+    HELD.lock().unwrap_or_else(PoisonError::into_inner).as_mut().map(std::mem::take).unwrap_or_default()
 }
 
 /// Exit status of whatever could not be done.

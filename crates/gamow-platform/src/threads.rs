@@ -1,6 +1,7 @@
 //! Threads of the program.
 #![expect(clippy::disallowed_methods, reason = "this is where threads are started")]
 
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
 pub use relativity_core::threads::{current_num_threads as count, on_half, prelude};
@@ -17,4 +18,19 @@ pub fn spawn<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Jo
 /// Lets this thread wait.
 pub fn sleep(duration: Duration) {
     std::thread::sleep(duration);
+}
+
+/// Does `work` in a thread of its own, and `meanwhile` on this one every `period` until that is done.
+pub fn beside<T: Send>(work: impl FnOnce() -> T + Send, period: Duration, mut meanwhile: impl FnMut()) -> T {
+    std::thread::scope(|scope| {
+        let (alive, ended) = mpsc::channel::<()>();
+        let thread = scope.spawn(move || {
+            let _alive = alive;
+            work()
+        });
+        while ended.recv_timeout(period) == Err(RecvTimeoutError::Timeout) {
+            meanwhile();
+        }
+        thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
 }

@@ -28,7 +28,7 @@ def replicate(speed, noise, number):
         found = gamow.fit({"T": curve["T"], "d": POINT["d"], **readings}, bootstrap=100, seed=number + 1)
     except ValueError:
         return None
-    interval = found["parameters"]["beta"]["ci95"]
+    interval = found.beta.interval
     return interval is not None and interval[0] <= speed <= interval[1]
 
 

@@ -35,26 +35,25 @@ print(len(readings["T"]), "readings of", ", ".join(readings))
 
 # %%
 found = gamow.fit(file, bootstrap=1000)
-for name, estimate in found["parameters"].items():
-    low, high = estimate["ci95"]
-    print(f"{name:5} {estimate['value']:.4f} +- {estimate['uncertainty']:.4f}   95 %: {low:.4f} to {high:.4f}")
-print(f"reduced chi squared {found['reduced_chi_squared']:.2f}")
+for name in found.parameters:
+    estimate = getattr(found, name)
+    low, high = estimate.interval
+    print(f"{name:5} {estimate.value:.4f} +- {estimate.uncertainty:.4f}   95 %: {low:.4f} to {high:.4f}")
+print(f"reduced chi squared {found.reduced_chi_squared:.2f}")
 
 # %% [markdown]
 # Residuals should scatter about zero by their standard deviations, and show no trend: a trend says that the model is wrong.
 
 # %%
-best = {name: estimate["value"] for name, estimate in found["parameters"].items()}
+best = {name: getattr(found, name).value for name in found.parameters}
 T = readings["T"]
-fitted = gamow.disparity(**best, d=readings["d"], T=T)
 fine = np.linspace(T[0], T[-1], 400)
 smooth = gamow.disparity(**best, d=readings["d"][0], T=fine)
 
 figure, axes = plt.subplots(2, 2, figsize=(9, 5), sharex=True, height_ratios=[2, 1], layout="constrained")
-residuals = {}
+residuals = found.residuals
 for column, name in enumerate(["dphi", "dtheta"]):
     sigma = readings[f"sigma_{name}"]
-    residuals[name] = readings[name] - fitted[name]
     axes[0, column].errorbar(T, readings[name], sigma, fmt=".", label="readings")
     axes[0, column].plot(fine, smooth[name], label="fit")
     axes[0, column].set(title=name, ylabel="rad")
@@ -69,6 +68,6 @@ figure.savefig("residuals.png", dpi=150)
 
 # %%
 for name, truth in {"beta": 0.8, "y": 4.0, "z": 1.5}.items():
-    assert abs(best[name] - truth) < 5 * found["parameters"][name]["uncertainty"], name
-assert 0.5 < found["reduced_chi_squared"] < 2
+    assert abs(best[name] - truth) < 5 * getattr(found, name).uncertainty, name
+assert 0.5 < found.reduced_chi_squared < 2
 assert max(np.abs(residual).max() for residual in residuals.values()) < 4 * 5e-4

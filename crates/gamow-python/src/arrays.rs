@@ -4,7 +4,7 @@ use gamow::columns::Input;
 use numpy::{
     PyArrayDyn, PyArrayMethods as _, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods as _,
 };
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -95,8 +95,11 @@ fn floats<'py>(
     if let Ok(array) = value.cast::<PyArrayDyn<f64>>() {
         return Ok(array.clone());
     }
-    let wrong = |found: &str| PyTypeError::new_err(format!("column {name}: numbers are needed, not {found}"));
-    let array = numpy.call_method1("asarray", (value,)).map_err(|_| wrong("a list of unequal lists"))?;
+    let wrong = |found: &str| PyTypeError::new_err(format!("{name}: numbers are needed, not {found}"));
+    let array = numpy.call_method1("asarray", (value,)).map_err(|error| {
+        let is_unequal = error.is_instance_of::<PyValueError>(numpy.py());
+        if is_unequal { wrong("a list of unequal lists") } else { error }
+    })?;
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
     match kind.as_str() {
         "b" | "u" | "i" | "f" => {}

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use gamow::commands::render::fitted;
 use gamow::files::exr::Measurements;
+use gamow::scene::Scene;
 use gamow::settings::Settings;
 use gamow::studio::Studio;
 use numpy::{PyArray1, PyArrayMethods as _};
@@ -11,16 +12,29 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyDictMethods};
 
 use crate::errors::of_command;
-use crate::threads::detached;
+use crate::threads::interruptible;
 
-/// The studio of `settings` and the frame that they show, for `work`.
+/// What is drawn: settings, and their scene if that is in no file.
+#[derive(Clone, Copy)]
+pub struct Shown<'a> {
+    /// The settings.
+    pub settings: &'a Settings,
+    /// The scene, in place of that which the settings name.
+    pub own_scene: Option<&'a Scene>,
+}
+
+/// The studio of `shown` and its frame, for `work`.
 fn drawn<T: Send>(
     py: Python<'_>,
-    settings: &Settings,
+    shown: Shown<'_>,
     work: impl FnOnce(&mut Studio, &gamow::studio::StudioFrame) -> anyhow::Result<T> + Send,
 ) -> PyResult<T> {
-    let result = detached(py, || {
-        let mut studio = Studio::new(fitted(settings.clone())?)?;
+    let result = interruptible(py, || {
+        let settings = fitted(shown.settings.clone())?;
+        let mut studio = match shown.own_scene {
+            Some(scene) => Studio::showing(settings, scene.clone())?,
+            None => Studio::new(settings)?,
+        };
         let frame = studio.frame(None)?;
         work(&mut studio, &frame)
     })?;
@@ -28,8 +42,8 @@ fn drawn<T: Send>(
 }
 
 /// The picture as an array.
-pub fn rgb_of<'py>(py: Python<'py>, settings: &Settings) -> PyResult<Bound<'py, PyAny>> {
-    let frames = drawn(py, settings, |studio, frame| Ok(studio.still(frame)?.frames))?;
+pub fn rgb_of<'py>(py: Python<'py>, shown: Shown<'_>) -> PyResult<Bound<'py, PyAny>> {
+    let frames = drawn(py, shown, |studio, frame| Ok(studio.still(frame)?.frames))?;
     let size = frames.first().map_or([0; 2], |frame| frame.size);
     let [width, height] = size.map(|side| side as usize);
     let rgb =
@@ -42,9 +56,9 @@ pub fn rgb_of<'py>(py: Python<'py>, settings: &Settings) -> PyResult<Bound<'py, 
 }
 
 /// The measurements as arrays by the names of their channels.
-pub fn channels_of<'py>(py: Python<'py>, settings: &Settings) -> PyResult<Bound<'py, PyDict>> {
+pub fn channels_of<'py>(py: Python<'py>, shown: Shown<'_>) -> PyResult<Bound<'py, PyDict>> {
     let Measurements { size, channels, .. } =
-        drawn(py, settings, |studio, frame| studio.measurements(frame, Path::new("")))?;
+        drawn(py, shown, |studio, frame| studio.measurements(frame, Path::new("")))?;
     let [width, height] = size.map(|side| side as usize);
     let dictionary = PyDict::new(py);
     for (name, values) in channels {
@@ -54,7 +68,7 @@ pub fn channels_of<'py>(py: Python<'py>, settings: &Settings) -> PyResult<Bound<
 }
 
 /// The contents of a PNG file of the picture.
-pub fn png_of<'py>(py: Python<'py>, settings: &Settings) -> PyResult<Bound<'py, PyBytes>> {
-    let bytes = drawn(py, settings, |studio, frame| studio.png(frame, Path::new("gamow.png")))?;
+pub fn png_of<'py>(py: Python<'py>, shown: Shown<'_>) -> PyResult<Bound<'py, PyBytes>> {
+    let bytes = drawn(py, shown, |studio, frame| studio.png(frame, Path::new("gamow.png")))?;
     Ok(PyBytes::new(py, &bytes))
 }

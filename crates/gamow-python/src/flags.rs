@@ -9,7 +9,7 @@ use gamow::settings::problem_in_one_line;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyInt, PyString};
 
-use crate::errors::value_error;
+use crate::errors::{self, value_error};
 
 /// Parses `keywords` as flags of the command whose flags are `A`, followed by `more` of its words. Flags that
 /// only a command line needs are `hidden`.
@@ -26,13 +26,13 @@ pub fn parsed<A: Args>(
     let mut given = Vec::new();
     for (keyword, value) in keywords.into_iter().flatten() {
         let keyword: String = keyword.extract()?;
-        let name = british(&keyword.trim_end_matches('_').replace('_', "-")).into_owned();
+        let name = flag_name(&keyword);
         let flag = command.get_arguments().find(|flag| flag.get_long() == Some(&name));
         let Some(flag) = flag.filter(|_| !hidden.contains(&name.as_str())) else {
             let known = command.get_arguments().filter_map(|flag| flag.get_long());
-            let known: Vec<_> = known.filter(|name| !hidden.contains(name)).collect();
-            let known = known.join(", ").replace('-', "_");
-            return Err(value_error(format_args!("there is no keyword `{keyword}`: there are {known}")));
+            let known: Vec<_> = known.filter(|name| !hidden.contains(name)).map(errors::keyword).collect();
+            let unknown = value.py().import("gamow._keywords")?.call_method1("unknown", (keyword, known))?;
+            return Err(PyErr::from_value(unknown));
         };
         if value.is_none() {
             continue;
@@ -44,9 +44,20 @@ pub fn parsed<A: Args>(
         }
     }
     given.extend(more);
+    let command_names: Vec<_> =
+        command.get_arguments().filter_map(|flag| flag.get_long()).map(str::to_owned).collect();
     let matches = command.try_get_matches_from(given);
     let parsed = matches.and_then(|matches| A::from_arg_matches(&matches));
-    parsed.map_err(|error| value_error(problem_in_one_line(&error)))
+    parsed.map_err(|error| {
+        let flags = command_names.iter().filter(|name| name.contains('-'));
+        let problem = problem_in_one_line(&error);
+        value_error(flags.fold(problem, |text, name| text.replace(name, &errors::keyword(name))))
+    })
+}
+
+/// Returns the name of the flag for this keyword.
+pub fn flag_name(keyword: &str) -> String {
+    british(&keyword.trim_end_matches('_').replace('_', "-")).into_owned()
 }
 
 fn wrong(keyword: &str, right: &str) -> PyErr {
@@ -58,6 +69,10 @@ fn wrong(keyword: &str, right: &str) -> PyErr {
 fn text(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     if let Some(text) = word(keyword, value)? {
         return Ok(text);
+    }
+    if has_unit(value)? {
+        let units = value.py().import("gamow._units")?;
+        return self::text(keyword, &units.call_method1("setting", (keyword, value))?);
     }
     if value.is_instance_of::<PyBool>() {
         return Ok(if value.is_truthy()? { "on" } else { "off" }.to_owned());
@@ -75,12 +90,20 @@ fn text(keyword: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     for item in items {
         let item = item?;
         // Lists in lists, and lists without an end, are no flags.
-        if texts.len() > MOST_ITEMS || item.hasattr("__iter__")? && !item.is_instance_of::<PyString>() {
+        let is_list = item.hasattr("__iter__")? && !item.is_instance_of::<PyString>() && !has_unit(&item)?;
+        if texts.len() > MOST_ITEMS || is_list {
             return Err(wrong(keyword, "a number, a word or a list of them"));
         }
         texts.push(text(keyword, &item)?);
     }
-    Ok(texts.join(","))
+    // Width and height, as in `640x480`.
+    let separator = if keyword == "size" { "x" } else { "," };
+    Ok(texts.join(separator))
+}
+
+/// Whether a value is a Quantity.
+fn has_unit(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    Ok(value.hasattr("unit")? || value.hasattr("units")?)
 }
 
 /// Returns the text in `value`, or the path of an object that has one, such as a `Scene` or a `pathlib.Path`.

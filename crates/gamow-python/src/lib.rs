@@ -2,7 +2,8 @@
 //!
 //! Functions are called by keywords that have the names of the commands' columns and flags, and give what the
 //! commands write: the same numbers, bit for bit. Whatever the commands refuse is a `ValueError` with the
-//! same line. The stubs in `python/gamow` are the reference.
+//! same line. This is the module `gamow._core`; the functions in `python/gamow` give its keywords their
+//! signatures, and take units, masks and labels off their values.
 #![expect(
     clippy::doc_markdown,
     reason = "comments become texts of Python, where backticks mean something else"
@@ -25,24 +26,27 @@ use pyo3::prelude::*;
 
 /// Special relativity as two eyes would see it: numbers in NumPy arrays, fits and pictures.
 #[pymodule]
-#[pyo3(name = "gamow")]
+#[pyo3(name = "_core")]
 mod python {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use super::pictures::{measure, render};
+    use super::pictures::measure;
     #[pymodule_export]
     use super::points::{curve, disparity, sightings, stereo};
     #[pymodule_export]
     use super::readings::fit;
     #[pymodule_export]
-    use super::scene::Scene;
+    use super::scene::{Scene, presets, scenes};
     #[pymodule_export]
     use super::state::State;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         super::threads::note_process();
+        // The first use of NumPy, which panics where an interrupt breaks it off, is over when calls begin.
+        module.py().import("numpy")?;
+        numpy::PyArray1::<f64>::from_vec(module.py(), Vec::new());
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -1,34 +1,23 @@
 //! Points: `sightings`, `disparity`, `stereo` and `curve`.
 
+use std::fmt::Display;
+
 use csv::ByteRecord;
-use gamow::columns::{Batch, GivenInputs, Header, ModelArgs, WantedColumns};
+use gamow::columns::{Batch, BatchRowError, GivenInputs, Header, Input, ModelArgs, WantedColumns};
 use gamow::commands::curve::CurveArgs;
 use numpy::PyArray1;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use relativity_core::Model;
+use relativity_core::threads::goes_on;
 
 use crate::arrays::{Columns, dictionary, results};
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
-use crate::threads::detached;
+use crate::threads::{detached, interruptible};
 
 /// Computes what both eyes see of points: the columns of `gamow eval`.
-///
-/// Every keyword is a number or an array; they are broadcast together as NumPy does. c = 1, lengths and times
-/// share one unit, angles are radians. Speeds: one of beta, gamma, rapidity. d: separation of the eyes. y, z:
-/// depth and height. T: when the light arrives. x0: the point's x at t = 0. roll, turn: tilt and turn of the
-/// head. wheel_radius, rho, angle: a point on a rolling wheel, whose hub x0, y and z then are. observer_beta
-/// (or observer_gamma, observer_rapidity), observer_azimuth, observer_elevation, observer_x, observer_y,
-/// observer_z: how the eyes move.
-///
-/// model is 'exact', 'one-cone', 'published' or 'published-text'; intensity_exponent a number, 'surface',
-/// 'photons' or 'paper'. conformal adds u and v. out is a dict of arrays to fill, such as an earlier result.
-///
-/// Returns a dict of arrays of the common shape: x_left, x_right, t_left and so on. A value out of range is a
-/// ValueError that names its column and its index. Source: docs/commands.md; the exact model is that of the
-/// crate relativity-core.
 #[pyfunction]
 #[pyo3(signature = (*, model = "exact", intensity_exponent = None, conformal = false, out = None, **columns))]
 pub fn sightings<'py>(
@@ -43,10 +32,7 @@ pub fn sightings<'py>(
     filled(py, WantedColumns::All, model, out, columns)
 }
 
-/// Computes the disparities of points, left minus right: dphi and dtheta, radians.
-///
-/// The keywords are those of `sightings`. Where nothing but T is an array, the batch form of the core is
-/// used.
+/// Computes the disparities of points.
 #[pyfunction]
 #[pyo3(signature = (*, model = "exact", out = None, **columns))]
 pub fn disparity<'py>(
@@ -58,12 +44,7 @@ pub fn disparity<'py>(
     filled(py, WantedColumns::Disparity, model_of(model, None)?, out, columns)
 }
 
-/// Computes where two eyes take points to be: the columns stereo_gain, stereo_x, stereo_y and stereo_z of
-/// `gamow eval --stereo`.
-///
-/// The keywords are those of `sightings`. A tilted or turned head, a wheel or a moving observer adds
-/// stereo_miss, the distance at which the lines of sight pass each other. Values are NaN where these do not
-/// meet in front of the eyes.
+/// Computes where two eyes take points to be.
 #[pyfunction]
 #[pyo3(signature = (*, model = "exact", out = None, **columns))]
 pub fn stereo<'py>(
@@ -75,12 +56,7 @@ pub fn stereo<'py>(
     filled(py, WantedColumns::Stereo, model_of(model, None)?, out, columns)
 }
 
-/// Computes what both eyes see of one point over a range of times: the columns of `gamow curve`, whose flags
-/// are the keywords.
-///
-/// Such as beta, d, y, z, x0, from_, to, samples, stereo, conformal, model; wheel_radius, rho, angle;
-/// observer_beta. As on the command line roll, turn, observer_azimuth and observer_elevation are degrees
-/// here. Returns a dict of arrays.
+/// Computes what both eyes see of one point over a range of times.
 #[pyfunction]
 #[pyo3(signature = (**flags))]
 pub fn curve<'py>(py: Python<'py>, flags: Option<&Bound<'py, PyDict>>) -> PyResult<Bound<'py, PyDict>> {
@@ -91,11 +67,12 @@ pub fn curve<'py>(py: Python<'py>, flags: Option<&Bound<'py, PyDict>>) -> PyResu
             args.samples()
         )));
     }
-    let table = detached(py, || {
+    let table = interruptible(py, || {
+        let goes_on = goes_on();
         let curve = args.curve()?;
         let names = curve.columns()?;
         let mut columns: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
-        for row in curve.rows() {
+        for row in curve.rows().take_while(|_| goes_on()) {
             columns.iter_mut().zip(row?).for_each(|(column, value)| column.push(value));
         }
         Ok((names, columns))
@@ -150,13 +127,54 @@ fn filled<'py>(
         )));
     }
     let names: ByteRecord = columns.names.iter().collect();
-    let header = Header::new(names, |_: GivenInputs| Ok(Vec::new())).map_err(value_error)?;
+    let header = Header::new(names, |_: GivenInputs| Ok(Vec::new()));
+    let header = header.map_err(|error| value_error(of_input(&error)))?;
     let written = wanted.columns(&model, header.given()).map_err(value_error)?;
     let mut arrays = results(py, &written, &columns.shape, out)?;
     let (rows, inputs) = (columns.rows(), columns.inputs()?);
     let batch = Batch { header: &header, inputs: &inputs, rows };
-    let slices = arrays.iter_mut().map(|array| Ok(array.as_slice_mut()?)).collect::<PyResult<Vec<_>>>()?;
-    detached(py, || batch.fill(wanted, &model, slices))?
-        .map_err(|error| value_error(format_args!("{}{error}", columns.place(error.row))))?;
+    let mut slices =
+        arrays.iter_mut().map(|array| Ok(array.as_slice_mut()?)).collect::<PyResult<Vec<_>>>()?;
+    let filled = if rows <= PART {
+        detached(py, || batch.fill(wanted, &model, slices))
+    } else {
+        interruptible(py, || fill_in_parts(&batch, wanted, &model, &mut slices))
+    };
+    filled?.map_err(|error| value_error(format_args!("{}{}", columns.place(error.row), of_input(&error))))?;
     dictionary(py, &written, arrays, out)
+}
+
+/// The message of an error in the columns, which are keywords here.
+fn of_input(error: &dyn Display) -> String {
+    let error = error.to_string();
+    let Some(text) = error.strip_prefix("column ").or_else(|| error.strip_prefix("columns ")) else {
+        return error;
+    };
+    let twice = text.split_once(": ").filter(|(name, rest)| rest.starts_with(&format!("{name} = ")));
+    twice.map_or(text, |(_, rest)| rest).to_owned()
+}
+
+/// The most rows that are filled at once, before it is asked whether the others are wanted.
+const PART: usize = 1 << 17;
+
+/// Fills one part of the rows after the other.
+fn fill_in_parts(
+    batch: &Batch<'_>,
+    wanted: WantedColumns,
+    model: &ModelArgs,
+    out: &mut [&mut [f64]],
+) -> Result<(), BatchRowError> {
+    let goes_on = goes_on();
+    for first in (0..batch.rows).step_by(PART).take_while(|_| goes_on()) {
+        let rows = PART.min(batch.rows - first);
+        let part = batch.inputs.iter().map(|input| match *input {
+            Input::Same(value) => Input::Same(value),
+            Input::Each(values) => Input::Each(&values[first..first + rows]),
+        });
+        let inputs: Vec<_> = part.collect();
+        let out = out.iter_mut().map(|column| &mut column[first..first + rows]).collect();
+        let filled = Batch { header: batch.header, inputs: &inputs, rows }.fill(wanted, model, out);
+        filled.map_err(|error| BatchRowError { row: first + error.row, ..error })?;
+    }
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! The function `fit`: speed and distance from readings.
 
-use std::io::Cursor;
+use std::io::{Cursor, Read};
 use std::path::PathBuf;
 
 use csv::ByteRecord;
@@ -9,76 +9,64 @@ use gamow::commands::fit::FitArgs;
 use gamow::estimate::FitReport;
 use gamow::files::csv_out::CsvWriter;
 use gamow::files::{csv_in, whole};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
+use relativity_core::threads::goes_on;
 
 use crate::arrays::Columns;
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
-use crate::threads::detached;
+use crate::threads::interruptible;
 
 /// Fits speed and distance of a point to the disparities that two eyes measured: what `gamow fit --json`
-/// writes, as a dict.
-///
-/// data is the path of a CSV file, or a dict (or a table such as a pandas DataFrame) of arrays with the
-/// columns of one: T; dphi, dtheta or both (left minus right, radians; NaN where there is no reading);
-/// optionally sigma_dphi, sigma_dtheta, d, roll, turn. The keywords are the command's flags: d, roll and turn
-/// (degrees), model, use, bootstrap (replicates), seed, x0, fit_x0, loss ('linear', 'soft-l1', 'huber' or
-/// 'cauchy'), loss_scale, riding, wheel_radius, rho, angle.
-///
-/// The interpreter's lock is released; Ctrl-C ends it with a KeyboardInterrupt. What the data cannot tell is
-/// a ValueError.
+/// writes, the numbers of the rows that are readings, and the residuals of these by curve.
 #[pyfunction]
 #[pyo3(signature = (data, /, **flags))]
 pub fn fit<'py>(
     py: Python<'py>,
     data: &Bound<'py, PyAny>,
     flags: Option<&Bound<'py, PyDict>>,
-) -> PyResult<Bound<'py, PyAny>> {
+) -> PyResult<(Bound<'py, PyAny>, Vec<usize>, Bound<'py, PyDict>)> {
     let args: FitArgs = parsed(flags, Vec::new(), &["out", "json"])?;
-    let mut interrupt = None;
-    let is_wanted = |_| {
-        interrupt = Python::attach(|py| py.check_signals().err());
-        interrupt.is_none()
-    };
+    let mut columns = None;
     let report = if let Ok(path) = data.extract::<PathBuf>() {
-        detached(py, || {
+        interruptible(py, || {
             let (name, input) = csv_in::open(Some(&path))?;
-            args.fitted_while(&name, input, is_wanted)
+            fitted(&args, &name, input)
         })?
     } else {
-        let csv = csv_of(data)?;
-        detached(py, || args.fitted_while("data", Cursor::new(csv), is_wanted))?
+        let given = columns.insert(columns_of(data)?);
+        let csv = csv_of(given)?;
+        interruptible(py, || fitted(&args, "data", Cursor::new(csv)))?
     };
-    if let Some(interrupt) = interrupt {
-        return Err(interrupt);
-    }
-    let report: FitReport = report.map_err(|error| of_command(&error))?;
+    let report: FitReport = report.map_err(|error| of_fit(&error, columns.as_ref()))?;
     let mut json = Vec::new();
     whole::write_json(&report, &mut json).map_err(|error| of_command(&error))?;
-    py.import("json")?.call_method1("loads", (PyString::new(py, &String::from_utf8_lossy(&json)),))
-}
-
-/// The columns that a fit reads.
-const READ: [&str; 9] = ["T", "clock", "dphi", "dtheta", "sigma_dphi", "sigma_dtheta", "d", "roll", "turn"];
-
-/// The columns in `data` as a CSV file: its first row has the names, so that row n of an array, from 0, is
-/// line n + 2.
-fn csv_of(data: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
-    let no_table = |_| value_error("data: must be the path of a CSV file, or a dict of arrays by column");
-    let names = data.call_method0("keys").and_then(|keys| keys.try_iter()).map_err(no_table)?;
-    let given = PyDict::new(data.py());
-    for name in names {
-        let name = name?;
-        if name.extract::<String>().is_ok_and(|name| READ.contains(&name.as_str())) {
-            let column = data.get_item(&name)?;
-            // A table's own columns are arrays that know NumPy's.
-            let is_table = column.hasattr("to_numpy")?;
-            let column = if is_table { column.call_method0("to_numpy")? } else { column };
-            given.set_item(name, column)?;
+    let json = PyString::new(py, &String::from_utf8_lossy(&json));
+    let rows = report.lines.iter().map(|&line| row_of(line).unwrap_or_default()).collect();
+    let residuals = PyDict::new(py);
+    for (name, values) in ["dphi", "dtheta"].into_iter().zip(report.misses) {
+        if values.iter().any(|value| !value.is_nan()) {
+            residuals.set_item(name, PyArray1::from_vec(py, values))?;
         }
     }
-    let columns = Columns::new(&given)?;
+    Ok((py.import("json")?.call_method1("loads", (json,))?, rows, residuals))
+}
+
+/// The fit of the readings in `input`, with the replicates that are drawn until it is given up.
+fn fitted(args: &FitArgs, name: &str, input: impl Read) -> anyhow::Result<FitReport> {
+    let goes_on = goes_on();
+    args.fitted_while(name, input, |_| goes_on())
+}
+
+/// The columns in `data`, which has them by their names.
+fn columns_of<'py>(data: &Bound<'py, PyAny>) -> PyResult<Columns<'py>> {
+    Columns::new(&data.cast::<PyDict>()?.clone())
+}
+
+/// The columns as a CSV file: its first row has the names, so that row n of an array, from 0, is line n + 2.
+fn csv_of(columns: &Columns<'_>) -> PyResult<Vec<u8>> {
     let inputs = columns.inputs()?;
     let mut rows = CsvWriter::new(Vec::new());
     let in_memory = |_| value_error("data: there is no memory for it");
@@ -92,4 +80,22 @@ fn csv_of(data: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
         rows.write(&mut ByteRecord::new(), &values).map_err(in_memory)?;
     }
     Ok(rows.into_text().into_bytes())
+}
+
+/// The row of an array, from 0, that is this line of a CSV file; `None` for its first, the names.
+fn row_of(line: u64) -> Option<usize> {
+    usize::try_from(line).ok()?.checked_sub(2)
+}
+
+/// The error of a fit, which names rows of `columns` where those are fitted and no file.
+fn of_fit(error: &anyhow::Error, columns: Option<&Columns<'_>>) -> PyErr {
+    let text = format!("{error:#}")
+        .replace("the header should name", "there should be")
+        .replace(", and it names ", "; there are ");
+    let of_row = columns.and_then(|columns| {
+        let (line, rest) = text.strip_prefix("data:")?.split_once(':')?;
+        let place = row_of(line.parse().ok()?).map_or_else(String::new, |row| columns.place(row));
+        Some(format!("data: {place}{}", rest.trim_start()))
+    });
+    value_error(of_row.unwrap_or(text))
 }

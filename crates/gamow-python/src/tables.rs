@@ -1,7 +1,8 @@
 //! Dicts as tables of TOML, so that states and scenes in them have the files' readers.
 
+use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyInt};
+use pyo3::types::{PyBool, PyDict, PyInt, PyTuple};
 use toml::{Table, Value};
 
 use crate::errors::value_error;
@@ -57,4 +58,20 @@ fn value_within(
     let items: Vec<Bound<'_, PyAny>> = value.extract().map_err(|_| wrong())?;
     let items = items.iter().map(|item| value_within(key, item, written, deeper));
     Ok(Value::Array(items.collect::<PyResult<_>>()?))
+}
+
+/// Returns a value of TOML as one of Python's, a list as a tuple.
+pub fn value_in_python<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+    match value {
+        Value::Boolean(value) => value.into_bound_py_any(py),
+        Value::Integer(value) => value.into_bound_py_any(py),
+        Value::Float(value) => value.into_bound_py_any(py),
+        Value::String(value) => value.into_bound_py_any(py),
+        Value::Array(values) => {
+            let values: Vec<_> =
+                values.iter().map(|value| value_in_python(py, value)).collect::<PyResult<_>>()?;
+            PyTuple::new(py, values)?.into_bound_py_any(py)
+        }
+        other => other.to_string().into_bound_py_any(py),
+    }
 }

@@ -21,9 +21,11 @@ def test_the_guide_runs(tmp_path, monkeypatch):
     assert len(blocks) > 3
     names = {}
     for block in blocks:
+        if "astropy" in block:
+            pytest.importorskip("astropy")
         if "dask" not in block:
             exec(compile(block, str(GUIDE), "exec"), names)
-    assert abs(names["beta"]["value"] - 0.9) < 5 * names["beta"]["uncertainty"]
+    assert abs(names["beta"].value - 0.9) < 5 * names["beta"].uncertainty
     assert names["rgb"].shape[2] == 3 and (names["rgb"] == names["same"]).all()
     assert len(names["angles"]["T"]) == 3
 

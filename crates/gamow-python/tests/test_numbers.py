@@ -31,15 +31,15 @@ def plain():
 def inputs(kind):
     columns = plain()
     if kind in ("turned", "all"):
-        columns |= {"roll": spread(-np.pi, np.pi), "turn": spread(-np.pi, np.pi)}
+        columns |= {"roll": spread(-180.0, 180.0), "turn": spread(-180.0, 180.0)}
     if kind in ("wheel", "all"):
         columns |= {"wheel_radius": spread(0.1, 2.0), "rho": spread(0.0, 1.0), "angle": spread(-4.0, 4.0)}
         columns["gamma"] = 10.0 ** spread(0.0, 2.0)
     if kind in ("riding", "all"):
         columns |= {
             "observer_rapidity": spread(0.0, 3.0),
-            "observer_azimuth": spread(-np.pi, np.pi),
-            "observer_elevation": spread(-1.5, 1.5),
+            "observer_azimuth": spread(-180.0, 180.0),
+            "observer_elevation": spread(-85.0, 85.0),
             "observer_x": spread(-5.0, 5.0),
             "observer_y": spread(-5.0, 5.0),
             "observer_z": spread(-5.0, 5.0),
@@ -95,7 +95,7 @@ def test_published_models_are_those_of_eval(gamow_command, model):
 
 def test_disparities_over_time_are_those_of_eval(gamow_command):
     times = spread(-40.0, 40.0)
-    same = {"beta": 0.9, "d": 0.1, "y": 3.0, "z": 2.0, "roll": 0.4}
+    same = {"beta": 0.9, "d": 0.1, "y": 3.0, "z": 2.0, "roll": 20.0}
     columns = {name: np.full(ROWS, value) for name, value in same.items()} | {"T": times}
     theirs = read(gamow_command("eval", stdin=as_csv(columns)))
     assert_same_bits(gamow.disparity(**same, T=times), theirs)
@@ -161,10 +161,10 @@ def test_fits_are_those_of_the_command(gamow_command, tmp_path, flags):
     words = [word for name, value in flags.items() if value is not True for word in (f"--{name.replace('_', '-')}", value)]
     words += [f"--{name.replace('_', '-')}" for name, value in flags.items() if value is True]
     theirs = json.loads(gamow_command("fit", "--json", *words, stdin=text))
-    assert gamow.fit(readings, **flags) == theirs
+    assert gamow.fit(readings, **flags).report == theirs
     file = tmp_path / "readings.csv"
     file.write_text(text)
-    assert gamow.fit(file, **flags) == theirs
+    assert gamow.fit(file, **flags).report == theirs
 
 
 def test_a_fit_finds_what_was_measured():
@@ -172,6 +172,31 @@ def test_a_fit_finds_what_was_measured():
     readings["dphi"][::7] = np.nan
     found = gamow.fit(readings, d=0.1, bootstrap=200)
     for name in ("beta", "y", "z"):
-        estimate = found["parameters"][name]
-        assert abs(estimate["value"] - READINGS[name]) < 5 * estimate["uncertainty"]
-    assert found["readings"] == 82 - 6
+        estimate = getattr(found, name)
+        assert abs(estimate.value - READINGS[name]) < 5 * estimate.uncertainty
+        low, high = estimate.interval
+        assert low < estimate.value < high
+    assert found.readings == 82 - 6
+
+
+def test_a_fit_has_its_covariance_and_residuals():
+    readings = noisy()
+    readings["dphi"][::7] = np.nan
+    found = gamow.fit(readings, bootstrap=0)
+    assert found.parameters == ("beta", "y", "z") and found.covariance.shape == (3, 3)
+    sigmas = [getattr(found, name).uncertainty for name in found.parameters]
+    assert np.allclose(np.sqrt(np.diag(found.covariance)), sigmas) and np.allclose(found.covariance, found.covariance.T)
+    best = {name: getattr(found, name).value for name in found.parameters}
+    fitted = gamow.disparity(**best, d=readings["d"], T=readings["T"])
+    for name, values in found.residuals.items():
+        assert np.allclose(values, readings[name] - fitted[name], rtol=1e-6, atol=1e-15, equal_nan=True)
+    of_all = np.concatenate(list(found.residuals.values()))
+    assert np.isclose(np.sqrt(np.nanmean(of_all**2)), found.rms, rtol=0.05)
+
+
+def test_remarks_of_a_fit_are_warnings():
+    readings = noisy()
+    readings["dphi"][20] += 1e-3
+    with pytest.warns(gamow.GamowWarning, match="dphi at T = .* stands out") as warned:
+        found = gamow.fit(readings, bootstrap=0)
+    assert [str(warning.message) for warning in warned] == list(found.remarks) and warned[0].filename == __file__

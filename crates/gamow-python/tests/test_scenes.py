@@ -30,6 +30,21 @@ def test_numbers_in_pictures_are_those_of_the_scene(tmp_path):
     assert (channels["left.group"] == channels["left.id"]).all()
 
 
+def test_a_scene_is_shown_without_a_file(tmp_path):
+    scene, others = gamow.Scene(GROUPS), {"beta": 0.5, "time": 0, "gaze": (90, 30), **SMALL}
+    saved = gamow.State(scene=scene.save(tmp_path / "wall.toml"), **others)
+    state = gamow.State(scene=scene, **others)
+    assert (state.render() == saved.render()).all() and state.scene == scene and state != saved
+    for other in (gamow.State(scene, **others), gamow.State({"scene": scene}, **others), state.replace(beta=0.6).replace(beta=0.5),
+                  pickle.loads(pickle.dumps(state)), eval(repr(state), {"State": gamow.State, "Scene": gamow.Scene})):
+        assert other == state and hash(other) == hash(state)
+    assert state.replace(scene="street").scene == "street"
+    times = [3.0, 3.5, 4.0]
+    found = [gamow.measure(shown.replace(size="240x180"), times=times, object="ball") for shown in (state, saved)]
+    assert all((found[0][name] == found[1][name]).all() for name in found[0])
+    assert hash(scene) == hash(gamow.Scene(GROUPS))
+
+
 def test_a_place_is_the_forward_most_point():
     scene = gamow.Scene(BALL)
     assert scene.place("ball") == scene.place(0) == scene.place() == [0.5, 3, 2]
@@ -78,7 +93,9 @@ def test_nesting_ends():
 
 def test_what_is_not_saved_is_no_file(tmp_path):
     with pytest.raises(ValueError, match="scene.save"):
-        gamow.State(scene=gamow.Scene(BALL))
+        str(gamow.Scene(BALL).__fspath__())
+    with pytest.raises(ValueError, match="in no file"):
+        gamow.State(gamow.Scene(BALL)).toml()
     with pytest.raises(ValueError, match="already"):
         gamow.Scene("street").save(tmp_path / "street.toml")
     with pytest.raises(ValueError, match="no body called `wheel`"):

@@ -13,7 +13,7 @@ use anyhow::Context as _;
 use clap::Args;
 use csv::ByteRecord;
 use gamow_platform::{files, messages};
-use relativity_core::math;
+use relativity_core::{math, threads};
 use relativity_render::Camera;
 
 use self::locate::Target;
@@ -36,7 +36,7 @@ use crate::time_range::time_within;
 /// eyes' whole pictures, such as side by side. Those of `gamow render` record everything else; for
 /// photographs, flags give it.
 ///
-/// The columns are the observation time, the separation of the eyes (with roll and turn, in radians, of a
+/// The columns are the observation time, the separation of the eyes (with roll and turn, in degrees, of a
 /// head that is tilted or turned), the angles from each eye, their differences, and the standard deviations
 /// of these: what `gamow fit` reads.
 ///
@@ -140,13 +140,16 @@ impl MeasureArgs {
     ///
     /// # Errors
     ///
-    /// A file that cannot be read or does not say enough, and a target that no file shows to both eyes.
+    /// A file that cannot be read or does not say enough, a target that no file shows to both eyes, and work
+    /// that is given up.
     pub fn measured(&self) -> anyhow::Result<MeasuredTable> {
         let target = self.target.target();
         let files = files(&self.inputs, target)?;
         let times = self.taken.times_of(files.len())?;
         let (mut rows, mut noted_of_all) = (Vec::new(), Remarks::default());
+        let goes_on = threads::goes_on();
         for (file, time) in files.iter().zip(times) {
+            anyhow::ensure!(goes_on(), "given up");
             let name = files::shown(file);
             let Some((row, noted)) = measured(file, &name, target, &self.taken, time)? else { continue };
             noted_of_all.note(&name, &noted);
@@ -301,8 +304,8 @@ fn row(settings: &Settings, cameras: &[Camera; 2], [left, right]: [PixelPlace; 2
     [
         settings.time.unwrap_or_default(),
         baseline.separation,
-        baseline.roll,
-        baseline.turn,
+        settings.motion.roll,
+        settings.motion.turn,
         left.phi,
         right.phi,
         left.theta,

@@ -26,6 +26,8 @@ pub enum Kind {
     Length,
     /// An angle, in radians where no unit is written.
     Angle,
+    /// An angle of the head, in degrees where no unit is written.
+    HeadAngle,
 }
 
 /// A unit that a column may be written in.
@@ -80,7 +82,7 @@ impl Kind {
         match self {
             Self::Time => &[TIMES, LENGTHS],
             Self::Length => &[LENGTHS, LIGHT_TIMES],
-            Self::Angle => &[ANGLES],
+            Self::Angle | Self::HeadAngle => &[ANGLES],
         }
     }
 
@@ -140,7 +142,8 @@ impl Column {
     /// What a number of the column is multiplied by.
     #[must_use]
     pub fn factor(&self) -> f64 {
-        self.unit.map_or(1.0, |unit| unit.factor)
+        let default = if self.kind == Kind::HeadAngle { PI / 180.0 } else { 1.0 };
+        self.unit.map_or(default, |unit| unit.factor)
     }
 
     /// Whether `cell` is a unit of what the column measures, and no number.

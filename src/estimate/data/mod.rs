@@ -238,7 +238,7 @@ impl DataHeader {
             if let Some(number) = eyes.given[index] {
                 return Ok(EyesSource::Given(number));
             }
-            let (name, kind) = (EYES[index], if index == 0 { Kind::Length } else { Kind::Angle });
+            let (name, kind) = (EYES[index], if index == 0 { Kind::Length } else { Kind::HeadAngle });
             let column = Column::find(&names, name, kind)?.map(EyesSource::Column);
             let source = column.or(eyes.default[index].map(EyesSource::Given));
             source.ok_or_else(|| anyhow::Error::from(names.missing(name, needed)))

@@ -11,7 +11,7 @@ use super::paths::folder_of;
 use crate::names;
 
 pub use std::fs::File;
-pub use tempfile::TempPath;
+pub use tempfile::{TempDir, TempPath};
 
 /// Whether there are folders.
 pub const HAS_FOLDERS: bool = true;
@@ -290,6 +290,11 @@ pub fn temporary_in(folder: &Path, rights: Option<&Rights>) -> io::Result<NamedT
         rights.map_or(Ok(()), |rights| rights.give_to(&file)).map(|()| file)
     };
     tempfile::Builder::new().prefix(".gamow-").suffix(".tmp").make_in(folder, create)
+}
+
+/// A new folder among the system's temporary files, which goes with all that is in it when it is dropped.
+pub fn temporary_folder() -> io::Result<TempDir> {
+    tempfile::Builder::new().prefix("gamow-").tempdir()
 }
 
 #[cfg(test)]

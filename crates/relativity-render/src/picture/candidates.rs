@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use relativity_core::threads::prelude::*;
+use relativity_core::threads::{self, prelude::*};
 
 use super::tiles::{TILE_SIDE, Tile};
 use crate::camera::lines_of_sight::LinesOfSight;
@@ -71,7 +71,7 @@ struct Candidates<'a> {
 impl PreparedScene {
     /// Returns one value per pixel of `view`, row by row: `draw` is called with each tile and the rows of
     /// pixels to write into. What is not `wanted` when it would begin, by the first row of its band, keeps
-    /// the default.
+    /// the default, and so does all after the work of this thread was given up.
     pub(crate) fn tiles<T: Clone + Default + Send>(
         &self,
         view: &View,
@@ -88,6 +88,7 @@ impl PreparedScene {
         }
         let division = PictureDivision::new(self, view, group_views);
         let bands = image.par_chunks_mut(width as usize * BAND as usize).enumerate();
+        let goes_on = threads::goes_on();
         bands.filter(|(number, _)| wanted(*number as u32 * BAND)).for_each(|(number, values)| {
             let top = number as u32 * BAND;
             let tile = Tile { corner: [0, top], size: [width, BAND.min(height - top)] };
@@ -95,7 +96,7 @@ impl PreparedScene {
             let groups = (0..group_views.len() as u32).collect();
             let all = Candidates { groups, others: (0..division.others.len() as u32).collect() };
             division.divide(tile, &all, &mut |look| {
-                if wanted(top) {
+                if goes_on() && wanted(top) {
                     draw(look, &mut rows);
                 }
             });

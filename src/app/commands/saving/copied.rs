@@ -4,7 +4,7 @@ use relativity_core::{Model, Source, Speed, SpeedError, Turning, WheelPoint};
 use relativity_render::Motion;
 
 use crate::app::state::State;
-use crate::columns::{GivenInputs, ModelArgs, Observation, ROLL, TURN, WHEEL};
+use crate::columns::{GivenInputs, ModelArgs, Observation, ROLL, TURN, WHEEL, degrees};
 use crate::flags::words::Shell;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::scene::Track;
@@ -112,8 +112,8 @@ impl State {
         let inputs = [
             (parameter.name(), value),
             ("d", baseline.separation),
-            (ROLL, baseline.roll),
-            (TURN, baseline.turn),
+            (ROLL, degrees(baseline.roll)),
+            (TURN, degrees(baseline.turn)),
             ("y", point.y),
             ("z", point.z),
             ("x0", point.x0),
