@@ -11,12 +11,13 @@ import shutil
 from latex2mathml.converter import convert
 from mkdocs.structure.files import File
 
-# Pages of the site by their places in the tree.
+# Pages and pictures of the site by their places in the tree.
 ELSEWHERE = {
     "assets/scenes/README.md": "scene-files.md",
     "assets/lessons/README.md": "lesson-files.md",
     "CHANGELOG.md": "changes.md",
     "CONTRIBUTING.md": "contributing.md",
+    "assets/window.png": "pictures/window.png",
 }
 PYTHON = "# Reference of the Python package\n\n::: gamow\n"
 
@@ -27,7 +28,7 @@ CRATES_PAGE = "# Reference of the crates\n\n" + "".join(
     f'- <a href="crates/{name}/index.html"><code>{name}</code></a>: {what}\n' for name, what in CRATES.items()
 )
 
-LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s#]*)(#[^)\s]*)?\)")
+LINK = re.compile(r"\[([^\]]*)\]\(([^)\s#]*)(#[^)\s]*)?\)")
 FORMULA = re.compile(r'<(span|div) class="arithmatex">\\[(\[](.*?)\\[)\]]</\1>', re.DOTALL)
 
 
@@ -49,8 +50,7 @@ def on_post_build(config):
 
 def on_files(files, config):
     for path, name in ELSEWHERE.items():
-        with open(path, encoding="utf-8") as page:
-            files.append(File.generated(config, name, content=page.read()))
+        files.append(File.generated(config, name, abs_src_path=os.path.abspath(path)))
     files.append(File.generated(config, "python-reference.md", content=PYTHON))
     if has_crates():
         files.append(File.generated(config, "crates-reference.md", content=CRATES_PAGE))

@@ -12,7 +12,7 @@ use std::process::Command;
 /// which another renderer, or another driver, draws by other rays.
 const MOST_LEVELS: f64 = 1.0;
 /// Folders of a page's pictures, below the root.
-const PICTURES: [&str; 3] = ["docs/pictures", "assets", "paper"];
+const PICTURES: [&str; 2] = ["docs/pictures", "assets"];
 
 /// Every page that is written by hand, with its path from the root.
 pub fn pages() -> Vec<(PathBuf, String)> {
@@ -45,18 +45,17 @@ pub fn blocks<'a>(page: &'a str, language: &str) -> impl Iterator<Item = &'a str
     starts.into_iter().map(|start| page[start..].split_once("```").expect("the block ends").0)
 }
 
-/// Runs each block ```` ```sh ```` that `is_meant`, and the script of the paper's figures, and compares the
-/// pictures that they make with those on the pages; how many there are.
+/// Runs each block ```` ```sh ```` that `is_meant`, and compares the pictures that it makes with those on the
+/// pages; how many blocks there are.
 pub fn run_blocks(is_meant: impl Fn(&str) -> bool) -> usize {
-    let mut found: Vec<(PathBuf, String)> = Vec::new();
+    let mut count = 0;
     for (path, page) in pages() {
-        found.extend(blocks(&page, "sh").map(|block| (path.clone(), block.to_owned())));
+        for block in blocks(&page, "sh").filter(|block| is_meant(block)) {
+            run_block(&path, block);
+            count += 1;
+        }
     }
-    let figures = root().join("paper/figures.sh");
-    found.push((figures.clone(), fs::read_to_string(figures).expect("a script")));
-    found.retain(|(_, block)| is_meant(block));
-    found.iter().for_each(|(path, block)| run_block(path, block));
-    found.len()
+    count
 }
 
 fn root() -> &'static Path {
