@@ -445,7 +445,7 @@ fn picture(fragment: Fragment, @builtin(front_facing) is_front: bool) -> Picture
             measure.distance,
         );
     }
-    if height_of(fragment) < frame.ground.z || is_of_other_copy(fragment) {
+    if height_of(fragment) < frame.ground.z || is_of_other_copy(fragment) || is_hole(fragment, measure) {
         discard;
     }
     return Picture(vec4f(colour, 1.0) * cover(fragment), measure.depth);
@@ -466,6 +466,9 @@ fn hits(fragment: Fragment, @builtin(front_facing) is_front: bool) -> Hit {
         discard;
     }
     let measure = measure(fragment);
+    if is_hole(fragment, measure) {
+        discard;
+    }
     return Hit(
         bitcast<vec4u>(
             vec4f(fragment.width_brightness_index.z, measure.distance, measure.doppler, 1.0),

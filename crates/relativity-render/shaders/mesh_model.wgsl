@@ -51,10 +51,9 @@ fn normal_in(fragment: Fragment) -> vec3f {
     return rest_from_body(current_normal, standing(body_of(fragment), fragment.place, spin_of(fragment.spin, fragment.rim)).body);
 }
 
-fn paint_in(fragment: Fragment, measure: Measure) -> vec4f {
-    let there = standing(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim));
-    let body = there.body;
-    let first = body_from_rest(there.place, body) - current.a;
+// The weights of the triangle's corners where it is seen.
+fn weights_in(body: Body, place: vec3f) -> vec3f {
+    let first = body_from_rest(place, body) - current.a;
     let u = current.b - current.a;
     let v = current.c - current.a;
     let scale = 1.0 / max(max(length_of_largest(u), length_of_largest(v)), 1e-30);
@@ -63,7 +62,18 @@ fn paint_in(fragment: Fragment, measure: Measure) -> vec4f {
     let second = dot(cross(first * scale, v * scale), across) / divisor;
     let third = dot(cross(u * scale, first * scale), across) / divisor;
     let weights = clamp(vec3f(1.0 - second - third, second, third), vec3f(0.0), vec3f(1.0));
-    let shares = weights / (weights.x + weights.y + weights.z);
+    return weights / (weights.x + weights.y + weights.z);
+}
+
+fn is_hole(fragment: Fragment, measure: Measure) -> bool {
+    let there = standing(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim));
+    return !is_solid(u32(fragment.pattern.x), record_in(fragment), weights_in(there.body, there.place));
+}
+
+fn paint_in(fragment: Fragment, measure: Measure) -> vec4f {
+    let there = standing(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim));
+    let body = there.body;
+    let shares = weights_in(body, there.place);
     let row = u32(fragment.pattern.x);
     let record = record_in(fragment);
     let normal = body_from_rest(measure.normal, body);

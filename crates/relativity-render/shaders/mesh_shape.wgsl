@@ -5,6 +5,10 @@ const HAS_NORMALS = true;
 
 fn prepare(fragment: Fragment, is_front: bool) {}
 
+fn is_hole(fragment: Fragment, measure: Measure) -> bool {
+    return false;
+}
+
 fn normal_in(fragment: Fragment) -> vec3f {
     return fragment.normal / max(length(fragment.normal), 1e-30);
 }

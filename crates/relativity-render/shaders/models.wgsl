@@ -184,7 +184,7 @@ fn first_met(row: u32, start: vec3f, direction: vec3f, behind: f32, is_two_sided
                 let triangle = triangle_at(row, i);
                 let met = met_triangle(ray, triangle, is_two_sided, behind);
                 let is_first = met.w < first.distance || (met.w == first.distance && triangle.number < number);
-                if met.w > behind && is_first {
+                if met.w > behind && is_first && is_solid(row, i, met.xyz) {
                     first = Met(IS_LEAF | i, met.w, met.xyz);
                     number = triangle.number;
                 }

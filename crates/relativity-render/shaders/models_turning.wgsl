@@ -184,7 +184,7 @@ fn first_met_by_arc(row: u32, path: Path, arc: PathPart, is_two_sided: bool) -> 
                 let triangle = triangle_at(row, i);
                 let met = met_by_arc(path, arc, triangle, is_two_sided, bulge);
                 let is_first = met.w < first.distance || (met.w == first.distance && triangle.number < number);
-                if met.w < 1e30 && is_first {
+                if met.w < 1e30 && is_first && is_solid(row, i, met.xyz) {
                     first = Met(IS_LEAF | i, met.w, met.xyz);
                     number = triangle.number;
                     farthest = chord * ((met.w - arc.low) / length_of_arc) + bulge;

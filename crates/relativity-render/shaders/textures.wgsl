@@ -23,6 +23,9 @@ fn texture_at(
     }
     let packed = texel_at(row, places);
     let rest = texel_at(row, places + 1u);
+    if rest.w != 0u {
+        return vec3f(1.0);
+    }
     let a = bitcast<vec2f>(packed.xy);
     let to_b = bitcast<vec2f>(packed.zw) - a;
     let to_c = bitcast<vec2f>(rest.xy) - a;
@@ -39,6 +42,28 @@ fn texture_at(
         covered_of(cross(v, across) * to_b.y + cross(across, u) * to_c.y, covered),
     );
     return texture_colour(row, texel_at(row, rest.z), a + to_b * weights.y + to_c * weights.z, along * scale);
+}
+
+// Whether there is a surface where the corners of a triangle have these weights: not in a hole of its
+// texture.
+fn is_solid(row: u32, record: u32, weights: vec3f) -> bool {
+    let places = texel(row, record, 2u).w;
+    if places == 0u {
+        return true;
+    }
+    let rest = texel_at(row, places + 1u);
+    let header = texel_at(row, rest.z);
+    let cutoff = header.z >> 16u;
+    if cutoff == 0u {
+        return true;
+    }
+    let packed = texel_at(row, places);
+    let a = bitcast<vec2f>(packed.xy);
+    let place = a + (bitcast<vec2f>(packed.zw) - a) * weights.y + (bitcast<vec2f>(rest.xy) - a) * weights.z;
+    let near = nearest_texels(header.w, header.xy, header.z, place);
+    let upper = mix(packed_texel(row, near.texels.x).w, packed_texel(row, near.texels.y).w, near.share.x);
+    let lower = mix(packed_texel(row, near.texels.z).w, packed_texel(row, near.texels.w).w, near.share.x);
+    return mix(upper, lower, near.share.y) * 65535.0 >= f32(cutoff);
 }
 
 // The linear colour at a place of the texture with this `header`, on average over what is `covered` of it
@@ -61,9 +86,23 @@ fn texture_colour(row: u32, header: vec4u, place: vec2f, covered: vec2f) -> vec3
     return mix(large, small, depth - floor(depth));
 }
 
+// The words of the four texels that are nearest to a place, upper left, upper right, and below; and how far
+// it is from the upper left one to the others.
+struct Nearest {
+    texels: vec4u,
+    share: vec2f,
+}
+
 // The linear colour at a place between the nearest four texels, of which a row has `side.x`.
 fn between_texels(row: u32, first: u32, side: vec2u, wraps: u32, place: vec2f) -> vec3f {
-    let wrap = vec2u(wraps & 255u, wraps >> 8u);
+    let near = nearest_texels(first, side, wraps, place);
+    let upper = mix(linear_texel(row, near.texels.x), linear_texel(row, near.texels.y), near.share.x);
+    let lower = mix(linear_texel(row, near.texels.z), linear_texel(row, near.texels.w), near.share.x);
+    return mix(upper, lower, near.share.y);
+}
+
+fn nearest_texels(first: u32, side: vec2u, wraps: u32, place: vec2f) -> Nearest {
+    let wrap = vec2u(wraps & 255u, (wraps >> 8u) & 255u);
     let at = vec2f(near_place(place.x, wrap.x), near_place(place.y, wrap.y)) * vec2f(side) - 0.5;
     let low = floor(at);
     let share = at - low;
@@ -71,9 +110,7 @@ fn between_texels(row: u32, first: u32, side: vec2u, wraps: u32, place: vec2f) -
     let right = wrapped(i32(low.x) + 1, i32(side.x), wrap.x);
     let top = first + side.x * wrapped(i32(low.y), i32(side.y), wrap.y);
     let bottom = first + side.x * wrapped(i32(low.y) + 1, i32(side.y), wrap.y);
-    let upper = mix(linear_texel(row, top + left), linear_texel(row, top + right), share.x);
-    let lower = mix(linear_texel(row, bottom + left), linear_texel(row, bottom + right), share.x);
-    return mix(upper, lower, share.y);
+    return Nearest(vec4u(top + left, top + right, bottom + left, bottom + right), share);
 }
 
 // The same place of a texture, not far from its first copy: there f32 has more digits for it.
@@ -92,9 +129,13 @@ fn wrapped(number: i32, count: i32, wrap: u32) -> u32 {
 }
 
 // Four texels are one of this device's, red in the lowest byte.
-fn linear_texel(row: u32, word: u32) -> vec3f {
+fn packed_texel(row: u32, word: u32) -> vec4f {
     let packed = texel_at(row, word >> 2u);
-    let encoded = unpack4x8unorm(packed[word & 3u]).xyz;
+    return unpack4x8unorm(packed[word & 3u]);
+}
+
+fn linear_texel(row: u32, word: u32) -> vec3f {
+    let encoded = packed_texel(row, word).xyz;
     let above = pow((encoded + 0.055) / 1.055, vec3f(2.4));
     return select(above, encoded / 12.92, encoded <= vec3f(0.04045));
 }

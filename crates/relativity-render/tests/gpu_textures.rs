@@ -1,13 +1,18 @@
 //! Textures of models on a device, against the reference.
 
+use relativity_render::colour::paint::Material;
 use relativity_render::{
-    Appearance, Colour, Gaze, Geometry, HitImage, Method, RawModel, Renderers, Texture, View, Wrap,
+    Appearance, Colour, Gaze, Geometry, HitImage, Method, PreparedScene, RawModel, Renderers, Texture, View,
+    Wrap,
 };
 
 use crate::gpu_support::Test;
-use crate::models::{scene_of, view};
+use crate::models::{HUB, rolling, scene_of, view};
 
-pub const TESTS: &[Test] = &[("textures_are_the_references", textures_are_the_references)];
+pub const TESTS: &[Test] = &[
+    ("textures_are_the_references", textures_are_the_references),
+    ("holes_are_the_references", holes_are_the_references),
+];
 
 /// Levels that change smoothly from column to column and from row to row, on a texture whose sides are no
 /// powers of two.
@@ -19,7 +24,7 @@ fn waves(wrap: [Wrap; 2]) -> Texture {
     };
     let texel =
         |i: u32| [wave(i % width, width), wave(i / width, height), wave(i % width + i / width, 15), 255];
-    Texture { size: [width, height], texels: (0..width * height).map(texel).collect(), wrap }
+    Texture { size: [width, height], texels: (0..width * height).map(texel).collect(), wrap, cutoff: 0 }
 }
 
 /// A plate of four triangles, two of which have one texture, one another and one none, with this many copies
@@ -39,6 +44,62 @@ fn plate(copies: f32) -> RawModel {
         texture_numbers: vec![0, 1, RawModel::NO_TEXTURE, 0],
         texture_places: places.map(|place: [f32; 2]| place.map(|part| part * copies)).to_vec(),
         is_two_sided: true,
+    }
+}
+
+/// The waves with holes where their third part, as the opacity, is below a half.
+fn holes() -> Texture {
+    let mut texture = waves([Wrap::Repeat, Wrap::Mirror]);
+    texture.texels.iter_mut().for_each(|texel| texel[3] = texel[2]);
+    Texture { cutoff: 32768, ..texture }
+}
+
+/// Whether the reference finds a hole, or finds none, within this many pixels of the middle of a pixel.
+fn is_near(scene: &PreparedScene, view: &View, i: usize, is_hole: bool, bound_px: f64) -> bool {
+    let width = view.camera.size[0] as usize;
+    let [u, v] = [i % width, i / width].map(|side| side as f64 + 0.5);
+    (0..9 * 9).any(|k| {
+        let [right, down] = [k % 9, k / 9].map(|step| bound_px * (f64::from(step) - 4.0) / 4.0);
+        scene.first_hit(view, view.camera.line_of_sight([u + right, v + down])).is_none() == is_hole
+    })
+}
+
+/// A model as small as a wheel, about the hub.
+fn wheel_of(mut model: RawModel) -> RawModel {
+    for corner in &mut model.corners {
+        *corner = std::array::from_fn(|axis| HUB[axis] + 0.4 * (corner[axis] - [0.0, 4.0, 0.5][axis]));
+    }
+    model
+}
+
+/// Rays, packets and mesh, of models that stand and that turn, have the reference's holes. A measured material has the holes of its picture, too.
+fn holes_are_the_references(renderers: &mut Renderers) {
+    let mut model = plate(1.0);
+    model.textures[0] = holes().prepared().expect("a texture");
+    (model.texture_numbers[1], model.texture_numbers[2]) = (0, 0);
+    model.materials = vec![None, None, Material::named("leaves"), None];
+    for scene in [scene_of(model.clone()), rolling(wheel_of(model), 0.57)] {
+        for (geometry, beta) in [(Geometry::Seen, 0.0), (Geometry::Seen, 0.9), (Geometry::OneCone, 0.6)] {
+            let mut view = View { observation_time: 4.0, ..view(beta, geometry, [120, 90]) };
+            let middle = view.apparent_position([0.0, 4.0, 0.5]).expect("inside the domain");
+            view.camera.gaze = Gaze::along(middle.to_array());
+            let truth = scene.hit_image(&view);
+            for method in [Method::Rays, Method::Packets, Method::Mesh] {
+                if method != Method::Mesh && geometry == Geometry::OneCone {
+                    continue;
+                }
+                let found = renderers.hits(method, &scene, &view).expect("device works").hits;
+                let bound_px = if method == Method::Mesh { Method::MESH_ERROR_PX } else { 0.1 };
+                let mut counts = [0; 2];
+                for (i, (truth, hit)) in truth.hits.iter().zip(&found).enumerate() {
+                    counts[usize::from(hit.is_none())] += 1;
+                    let is_right = truth.is_none() == hit.is_none()
+                        || is_near(&scene, &view, i, hit.is_none(), bound_px);
+                    assert!(is_right, "{method}, {geometry:?} at {beta}, pixel {i}: {hit:?} for {truth:?}");
+                }
+                assert!(counts.iter().all(|&count| count > 200), "{method}, {geometry:?}: {counts:?}");
+            }
+        }
     }
 }
 

@@ -59,7 +59,7 @@ fn corner(u: f64, v: f64) -> [f64; 3] {
 /// Levels that grow with the column in red, and with the row in green.
 fn graded(wrap: Wrap) -> Texture {
     let texel = |i: u32| [4 * (i % 64) as u8 + 2, 4 * (i / 64) as u8 + 2, 255, 255];
-    Texture { size: [64, 64], texels: (0..64 * 64).map(texel).collect(), wrap: [wrap; 2] }
+    Texture { size: [64, 64], texels: (0..64 * 64).map(texel).collect(), wrap: [wrap; 2], cutoff: 0 }
 }
 
 fn scene_of(model: RawModel) -> PreparedScene {
@@ -136,6 +136,27 @@ fn each_texel_is_seen_where_rays_pass_it() {
     assert!(seen > 1000, "{seen}");
 }
 
+/// Opacity that grows from column to column is linear between their middles: the edge of what is there is
+/// straight, and behind it the ground is seen.
+#[test]
+fn a_masked_texture_ends_where_its_opacity_is_the_cutoff() {
+    for (share, beta) in [(0.25, 0.0), (0.5, 0.6), (0.7, 0.9)] {
+        let texels = (0..64 * 64).map(|i: u32| [255, 255, 255, 4 * (i % 64) as u8]).collect();
+        let cutoff = (65535.0 * share) as u16;
+        let masked = Texture { size: [64, 64], texels, wrap: [Wrap::Clamp; 2], cutoff };
+        let edge = (255.0 * share / 4.0 + 0.5) / 64.0;
+        let view = view(beta, Geometry::Seen);
+        let hits = scene_of(plate(masked, 1.0)).hit_image(&view).hits;
+        let mut seen = [0; 2];
+        for (place, hit) in places(&view).iter().zip(&hits) {
+            let Some([u, _]) = place.filter(|[u, _]| (u - edge).abs() > 1e-3) else { continue };
+            assert_eq!(hit.is_some(), u > edge, "at {u}, with the edge at {edge}");
+            seen[usize::from(u > edge)] += 1;
+        }
+        assert!(seen.iter().all(|&count| count > 100), "{seen:?}");
+    }
+}
+
 #[test]
 fn wrapped_textures_go_on_as_they_say() {
     let view = view(0.3, Geometry::Seen);
@@ -161,7 +182,12 @@ fn wrapped_textures_go_on_as_they_say() {
 fn from_afar_a_texture_is_its_average() {
     let chequer = |size: u32| {
         let texel = |i: u32| if (i % size + i / size).is_multiple_of(2) { [255; 4] } else { [0, 0, 0, 255] };
-        Texture { size: [size; 2], texels: (0..size * size).map(texel).collect(), wrap: [Wrap::Repeat; 2] }
+        Texture {
+            size: [size; 2],
+            texels: (0..size * size).map(texel).collect(),
+            wrap: [Wrap::Repeat; 2],
+            cutoff: 0,
+        }
     };
     for beta in [0.0, 0.9] {
         let view = view(beta, Geometry::Seen);

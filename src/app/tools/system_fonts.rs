@@ -180,25 +180,22 @@ fn rank(path: &Path) -> (bool, usize) {
 
 #[cfg(test)]
 mod tests {
-    use eframe::egui::FontDefinitions;
-
     use super::*;
+    use crate::formula::FontFace;
 
     #[test]
     fn a_font_is_found_by_its_characters_and_what_none_has_is_told_once() {
         let folder = tempfile::tempdir().expect("a folder");
-        let inside = folder.path().join("truetype").join("noto");
+        let inside = folder.path().join("truetype").join("katex");
         std::fs::create_dir_all(&inside).expect("made");
-        let fonts = FontDefinitions::default();
-        let emoji = &fonts.font_data["NotoEmoji-Regular"];
-        std::fs::write(inside.join("NotoEmoji-Regular.ttf"), emoji.bytes()).expect("written");
+        std::fs::write(inside.join("KaTeX_AMS-Regular.ttf"), FontFace::Ams.file()).expect("written");
         std::fs::write(inside.join("Broken.ttf"), b"no font").expect("written");
         let system = SystemFonts::in_folders(vec![folder.path().to_owned(), folder.path().join("none")]);
         let found = |cluster: &str| {
             let family = &FontFamily::Proportional;
             system.font_for(&FallbackRequest { cluster, family }).map(|font| font.name)
         };
-        assert!(found("\u{1F600}").is_some_and(|name| name.ends_with("NotoEmoji-Regular.ttf")));
+        assert!(found("ℏ").is_some_and(|name| name.ends_with("KaTeX_AMS-Regular.ttf")));
         assert_eq!(system.newly_missing(), None);
         assert_eq!(found("語"), None);
         assert_eq!(found("語"), None);

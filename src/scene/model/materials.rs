@@ -23,6 +23,8 @@ pub struct Material {
     pub diffuse: Option<[f32; 3]>,
     /// The picture that multiplies it.
     pub picture: Option<Map>,
+    /// The picture whose opacity is its own.
+    pub mask: Option<Map>,
 }
 
 /// A picture of a material.
@@ -104,9 +106,11 @@ impl Materials {
                     material.diffuse = colour(rest);
                     material.diffuse.is_none().then_some("three numbers")
                 }
-                "map_Kd" => {
-                    material.picture = Map::parse(rest, &folder, companions);
-                    material.picture.is_none().then_some("a file")
+                "map_Kd" | "map_d" => {
+                    let map = Map::parse(word, rest, &folder, companions);
+                    let needed = map.is_none().then_some("a file");
+                    *(if word == "map_d" { &mut material.mask } else { &mut material.picture }) = map;
+                    needed
                 }
                 _ => None,
             };
@@ -145,8 +149,9 @@ fn colour(text: &str) -> Option<[f32; 3]> {
 }
 
 impl Map {
-    /// Returns the picture of a statement, after its options; those that are not known here are remarked.
-    fn parse(text: &str, folder: &str, companions: &Companions<'_>) -> Option<Self> {
+    /// Returns the picture of a statement that begins with `word`, after its options; those that are not known
+    /// here are remarked.
+    fn parse(word: &str, text: &str, folder: &str, companions: &Companions<'_>) -> Option<Self> {
         let folder = folder.to_owned();
         let mut map =
             Self { file: String::new(), folder, scale: [1.0; 2], offset: [0.0; 2], wrap: Wrap::Repeat };
@@ -171,7 +176,7 @@ impl Map {
                 _ => (matches!(option, "-blendu" | "-blendv" | "-type"), cut(values).1),
             };
             if !known {
-                companions.remark(format!("the option {option} of map_Kd is left out"));
+                companions.remark(format!("the option {option} of {word} is left out"));
             }
             rest = after;
         }

@@ -8,6 +8,7 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
+use gamow_platform::messages;
 use relativity_render::colour::srgb_decoded;
 use relativity_render::{RawModel, Wrap};
 use tobj::{LoadError, LoadOptions, Mesh};
@@ -22,6 +23,9 @@ use super::textures::Textures;
 
 /// Paint of what has none.
 const WHITE: [f32; 3] = [1.0; 3];
+
+/// The least opacity of a picture at which there is a surface, in parts of 65535: one half.
+const HALF_OPAQUE: u16 = 32768;
 
 /// Reads the model in the bytes of an OBJ file.
 pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedModel, String> {
@@ -63,8 +67,8 @@ pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedMo
 /// A model that is being read.
 struct ModelReader<'a> {
     companions: &'a Companions<'a>,
-    /// By the folders and names of their files, and their continuation.
-    textures: Textures<(String, String, Wrap)>,
+    /// By the folders and names of their files, their continuation, and their cutoffs.
+    textures: Textures<(String, String, Wrap, u16)>,
     model: RawModel,
 }
 
@@ -72,7 +76,8 @@ impl ModelReader<'_> {
     /// Adds the triangles of a mesh of one material.
     fn add(&mut self, mesh: &Mesh, material: Option<&Material>) -> Result<(), String> {
         let map = material.and_then(|it| it.picture.as_ref()).filter(|_| !mesh.texcoord_indices.is_empty());
-        let texture = map.map_or(RawModel::NO_TEXTURE, |map| self.texture(map));
+        let cutoff = material.map_or(0, |it| self.cutoff(it));
+        let texture = map.map_or(RawModel::NO_TEXTURE, |map| self.texture(map, cutoff));
         // Beside a picture, black is what some programs write for no colour.
         let diffuse = material.and_then(|it| it.diffuse).filter(|it| map.is_none() || *it != [0.0; 3]);
         let paint = diffuse.unwrap_or(WHITE);
@@ -102,10 +107,21 @@ impl ModelReader<'_> {
         Ok(())
     }
 
-    /// Returns the number of the texture of a material.
-    fn texture(&mut self, map: &Map) -> u32 {
-        let key = (map.folder.clone(), map.file.clone(), map.wrap);
-        self.textures.number(key, [map.wrap; 2], self.companions, || {
+    /// The cutoff of the texture of a `material`: half, where its opacity is said to be that of the material.
+    fn cutoff(&self, material: &Material) -> u16 {
+        let Some(mask) = &material.mask else { return 0 };
+        if material.picture.as_ref().is_some_and(|picture| picture.file == mask.file) {
+            return HALF_OPAQUE;
+        }
+        let name = messages::excerpt(&mask.file);
+        self.companions.remark(format!("the mask {name} is left out: only a picture's own opacity is read"));
+        0
+    }
+
+    /// Returns the number of the texture of a material, with this cutoff.
+    fn texture(&mut self, map: &Map, cutoff: u16) -> u32 {
+        let key = (map.folder.clone(), map.file.clone(), map.wrap, cutoff);
+        self.textures.number(key, [map.wrap; 2], cutoff, self.companions, || {
             Ok((self.companions.find(&map.file, &["", &map.folder])?, map.file.clone()))
         })
     }

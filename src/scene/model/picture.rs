@@ -12,8 +12,8 @@ use crate::files::png::PngFile;
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 const JPEG: &[u8] = b"\xff\xd8\xff";
 
-/// Reads a texture; of its texels, at most `room` are wanted.
-pub fn texture(bytes: &[u8], wrap: [Wrap; 2], room: u64) -> Result<Texture, String> {
+/// Reads a texture with this cutoff; of its texels, at most `room` are wanted.
+pub fn texture(bytes: &[u8], wrap: [Wrap; 2], cutoff: u16, room: u64) -> Result<Texture, String> {
     let (size, texels) = match bytes {
         _ if bytes.starts_with(PNG) => png(bytes, room).map_err(|error| format!("as PNG, {error}"))?,
         _ if bytes.starts_with(JPEG) => {
@@ -21,7 +21,7 @@ pub fn texture(bytes: &[u8], wrap: [Wrap; 2], room: u64) -> Result<Texture, Stri
         }
         _ => return Err("it is neither PNG nor JPEG".to_owned()),
     };
-    Ok(Texture { size, texels, wrap })
+    Ok(Texture { size, texels, wrap, cutoff })
 }
 
 fn png(bytes: &[u8], room: u64) -> Result<([u32; 2], Vec<[u8; 4]>), String> {

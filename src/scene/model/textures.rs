@@ -23,19 +23,21 @@ impl<Key: Eq + Hash> Textures<Key> {
         Self { numbers: HashMap::new(), all: Vec::new() }
     }
 
-    /// Returns the number of the texture called `key`: from the bytes of its file and the name of that for
-    /// messages, unless it is known already. One that cannot be read is remarked, and is none.
+    /// Returns the number of the texture called `key`, which has this cutoff: from the bytes of its file and
+    /// the name of that for messages, unless it is known already. One that cannot be read is remarked, and is
+    /// none.
     pub fn number(
         &mut self,
         key: Key,
         wrap: [Wrap; 2],
+        cutoff: u16,
         companions: &Companions<'_>,
         file: impl FnOnce() -> Result<(Vec<u8>, String), String>,
     ) -> u32 {
         if let Some(number) = self.numbers.get(&key) {
             return *number;
         }
-        let number = self.read(wrap, companions, file).unwrap_or_else(|problem| {
+        let number = self.read(wrap, cutoff, companions, file).unwrap_or_else(|problem| {
             companions.remark(format!("a picture is left out: {problem}"));
             RawModel::NO_TEXTURE
         });
@@ -46,11 +48,12 @@ impl<Key: Eq + Hash> Textures<Key> {
     fn read(
         &mut self,
         wrap: [Wrap; 2],
+        cutoff: u16,
         companions: &Companions<'_>,
         file: impl FnOnce() -> Result<(Vec<u8>, String), String>,
     ) -> Result<u32, String> {
         let (bytes, name) = file()?;
-        let texture = picture::texture(&bytes, wrap, companions.texels.get())
+        let texture = picture::texture(&bytes, wrap, cutoff, companions.texels.get())
             .and_then(|texture| texture.prepared().map_err(|error| error.to_string()))
             .map_err(|problem| format!("cannot read {}: {problem}", messages::excerpt(&name)))?;
         companions.texels.set(companions.texels.get().saturating_sub(texture.count()));

@@ -202,7 +202,9 @@ mod tests {
     fn models_share_textures() {
         let texture = |first: u8| {
             let texels = (0..15).map(|i| [first + i, i, 7, 255]).collect();
-            Texture { size: [5, 3], texels, wrap: [Wrap::Mirror; 2] }.prepared().expect("a texture")
+            Texture { size: [5, 3], texels, wrap: [Wrap::Mirror; 2], cutoff: 0 }
+                .prepared()
+                .expect("a texture")
         };
         let (one, other) = (texture(0), texture(100));
         let square = |textures: &[&Arc<MipMap>]| {

@@ -14,12 +14,18 @@ use super::ModelReader;
 use super::document::data_at;
 use super::extensions::{TextureInfo, TextureTransform};
 
+/// The remark on materials that let light through.
+const BLENDED: &str =
+    "transparency is left out: a surface is drawn where its picture is at least half opaque";
+
 /// The paint that a material gives its triangles.
 struct Coat {
     /// The base colour, linear sRGB, and the opacity.
     factor: [f32; 4],
     /// The texture that multiplies it.
     texture: Option<TextureInfo>,
+    /// The least opacity of that, in parts of 65535, at which there is a surface.
+    cutoff: u16,
 }
 
 impl ModelReader<'_> {
@@ -35,9 +41,11 @@ impl ModelReader<'_> {
         let base = material.pbr_metallic_roughness();
         let texture = || base.base_color_texture().map(TextureInfo::from);
         let own = match self.extended.glossiness(material.index()) {
-            Some(diffuse) => Coat { factor: diffuse.factor, texture: diffuse.texture.clone() },
-            None => Coat { factor: base.base_color_factor(), texture: texture() },
+            Some(diffuse) => (diffuse.factor, diffuse.texture.clone()),
+            None => (base.base_color_factor(), texture()),
         };
+        let (factor, texture) = own;
+        let own = Coat { factor, texture, cutoff: cutoff(material, factor[3]) };
         let strength = self.extended.strength(material.index());
         let light = material.emissive_factor().map(|part| part * strength);
         if light.iter().all(|part| *part <= 0.0) {
@@ -48,7 +56,8 @@ impl ModelReader<'_> {
         if [red, green, blue] == [0.0; 3] {
             self.companions.remark("materials that give light are drawn as paint".to_owned());
             let [red, green, blue] = light;
-            return Coat { factor: [red, green, blue, opacity], texture: picture.map(TextureInfo::from) };
+            let texture = picture.map(TextureInfo::from);
+            return Coat { factor: [red, green, blue, opacity], texture, cutoff: 0 };
         }
         self.companions.remark("light of materials that have a colour, too, is left out".to_owned());
         own
@@ -58,16 +67,12 @@ impl ModelReader<'_> {
     /// the number of that.
     pub(super) fn add_colours(&mut self, primitive: &Primitive<'_>, count: usize) -> Result<u32, String> {
         let material = primitive.material();
-        let Coat { factor, texture } = self.coat(&material);
-        match material.alpha_mode() {
-            AlphaMode::Opaque => {}
-            AlphaMode::Mask => {
-                self.companions.remark("masks are left out: all of a surface is seen".to_owned());
-            }
-            AlphaMode::Blend => self.companions.remark("transparency is left out".to_owned()),
+        let coat = self.coat(&material);
+        if material.alpha_mode() == AlphaMode::Blend {
+            self.companions.remark(BLENDED.to_owned());
         }
-        self.add_paints(primitive, count, factor)?;
-        self.add_texture_places(primitive, count, texture.as_ref())
+        self.add_paints(primitive, count, coat.factor)?;
+        self.add_texture_places(primitive, count, &coat)
     }
 
     /// Adds the paints of the `count` corners of `primitive`: its material's, times their own.
@@ -90,14 +95,18 @@ impl ModelReader<'_> {
         Ok(())
     }
 
-    /// Adds the places of the `count` corners of `primitive` in `texture`, and returns the number of that.
+    /// Adds the places of the `count` corners of `primitive` in the texture of its `coat`, and returns the
+    /// number of that.
     fn add_texture_places(
         &mut self,
         primitive: &Primitive<'_>,
         count: usize,
-        texture: Option<&TextureInfo>,
+        coat: &Coat,
     ) -> Result<u32, String> {
-        let found = texture.and_then(|info| Some((primitive.get(&Semantic::TexCoords(info.set()))?, info)));
+        let found = coat
+            .texture
+            .as_ref()
+            .and_then(|info| Some((primitive.get(&Semantic::TexCoords(info.set()))?, info)));
         let Some((places, info)) = found else {
             self.model.texture_places.extend(iter::repeat_n([0.0; 2], count));
             return Ok(RawModel::NO_TEXTURE);
@@ -110,11 +119,12 @@ impl ModelReader<'_> {
         }
         let transform = info.transform();
         self.model.texture_places.extend(places.into_iter().map(|place| transformed(transform, place)));
-        Ok(self.texture(info.index))
+        Ok(self.texture(info.index, coat.cutoff))
     }
 
-    /// Returns the number of the texture that the file gives this `number`; it is read unless it was before.
-    fn texture(&mut self, number: usize) -> u32 {
+    /// Returns the number of the texture that the file gives this `number`, with this cutoff; it is read
+    /// unless it was before.
+    fn texture(&mut self, number: usize, cutoff: u16) -> u32 {
         let (document, buffers, companions) = (self.document, &self.buffers, self.companions);
         let Some(texture) = document.textures().nth(number) else {
             companions.remark(format!("a picture is left out: there is no texture {number}"));
@@ -126,7 +136,7 @@ impl ModelReader<'_> {
             WrappingMode::MirroredRepeat => Wrap::Mirror,
             WrappingMode::ClampToEdge => Wrap::Clamp,
         });
-        self.textures.number(number, wrap, companions, || {
+        self.textures.number((number, cutoff), wrap, cutoff, companions, || {
             // The crate takes for granted that a texture has an image, and that says where it is.
             let root = document.as_json();
             let number = root.textures[number].source.value();
@@ -146,6 +156,17 @@ impl ModelReader<'_> {
             }
         })
     }
+}
+
+/// The least opacity of the texture of a `material` with this opacity, in parts of 65535, at which there is a
+/// surface: of one that lets light through, one half.
+fn cutoff(material: &Material<'_>, opacity: f32) -> u16 {
+    let least = match material.alpha_mode() {
+        AlphaMode::Opaque => 0.0,
+        AlphaMode::Mask => material.alpha_cutoff().unwrap_or(0.5) / opacity,
+        AlphaMode::Blend => 0.5,
+    };
+    (least * 65535.0).round() as u16
 }
 
 /// Returns a place in a texture, as `KHR_texture_transform` moves it.

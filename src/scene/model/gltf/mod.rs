@@ -108,7 +108,8 @@ struct ModelReader<'a> {
     buffers: Vec<Vec<u8>>,
     companions: &'a Companions<'a>,
     /// By the numbers that the file has for them.
-    textures: Textures<usize>,
+    /// By their numbers in the file, and their cutoffs.
+    textures: Textures<(usize, u16)>,
     /// The joints of skins, by the numbers of these.
     joints: HashMap<usize, Joints>,
     moves: Moves,

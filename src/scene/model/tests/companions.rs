@@ -1,6 +1,6 @@
 //! Companions of models that are missing, elsewhere or in another encoding.
 
-use super::{OBJ, read, triangles};
+use super::{OBJ, read, remarks, triangles};
 use crate::scene::Scene;
 
 /// The colours of the four corners of material, as bytes, and the remarks.
@@ -8,11 +8,7 @@ fn painted(files: &[(&str, &[u8])]) -> ([u8; 3], Vec<String>) {
     let scene = read("path = \"a.obj\"", files).expect("it is drawn");
     let point = relativity_render::TrianglePoint { triangle: 3, weights: [0.25; 2] };
     let paint = triangles(&scene).paint(point).map(|part| (100.0 * part).round() as u8);
-    (paint, remarks(&scene))
-}
-
-fn remarks(scene: &Scene) -> Vec<String> {
-    scene.models.iter().flat_map(|report| report.remarks.clone()).collect()
+    (paint, remarks(&scene).into_iter().map(str::to_owned).collect())
 }
 
 #[test]

@@ -6,7 +6,7 @@ use glam::DVec3;
 use relativity_render::TrianglePoint;
 use serde_json::{Value, json};
 
-use super::{gltf, placed, read, triangles};
+use super::{gltf, placed, read, remarks, triangles};
 use crate::scene::Scene;
 
 /// The corners of the tetrahedron.
@@ -17,10 +17,6 @@ fn changed(change: impl Fn(&mut Value)) -> Result<Scene, String> {
     let mut document = gltf();
     change(&mut document);
     read("path = \"a.gltf\"\nup = \"z\"", &[("a.gltf", document.to_string().as_bytes())])
-}
-
-fn remarks(scene: &Scene) -> Vec<&str> {
-    scene.models.iter().flat_map(|report| &report.remarks).map(String::as_str).collect()
 }
 
 /// Adds data to a document, and returns the number of its accessor.
@@ -158,8 +154,9 @@ fn materials_of_other_models_are_read_or_named() {
     assert_eq!(paint(light), ([0.0, 50.0, 0.0], told.to_owned()));
     let told = "light of materials that have a colour, too, is left out";
     assert_eq!(paint(json!({ "emissiveFactor": [0, 0.5, 0] })), ([100.0; 3], told.to_owned()));
-    let told = "masks are left out: all of a surface is seen";
-    assert_eq!(paint(json!({ "alphaMode": "MASK" })), ([100.0; 3], told.to_owned()));
+    assert_eq!(paint(json!({ "alphaMode": "MASK" })), ([100.0; 3], String::new()));
+    let told = "transparency is left out: a surface is drawn where its picture is at least half opaque";
+    assert_eq!(paint(json!({ "alphaMode": "BLEND" })), ([100.0; 3], told.to_owned()));
     let unseen =
         json!({ "alphaMode": "MASK", "pbrMetallicRoughness": { "baseColorFactor": [1, 1, 1, 0.4] } });
     let error = changed(|it| it["materials"][0] = unseen.clone()).expect_err("nothing is seen");

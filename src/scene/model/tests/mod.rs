@@ -102,6 +102,11 @@ fn glb() -> Vec<u8> {
     .concat()
 }
 
+/// The remarks on the models of a scene.
+fn remarks(scene: &Scene) -> Vec<&str> {
+    scene.models.iter().flat_map(|report| &report.remarks).map(String::as_str).collect()
+}
+
 #[test]
 fn an_obj_is_read_with_its_colours_scaled_turned_and_placed() {
     let files: [(&str, &[u8]); 2] = [("models/a.obj", OBJ.as_bytes()), ("models/paint.mtl", MTL.as_bytes())];

@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use relativity_render::{Picture, TrianglePoint, Triangles};
 use serde_json::{Value, json};
 
-use super::{gltf, read, triangles};
+use super::{gltf, read, remarks, triangles};
 use crate::files::png;
 use crate::scene::Scene;
 use crate::scene::model::companions::Companions;
@@ -57,6 +57,34 @@ fn textures_of_obj_begin_at_the_bottom_and_multiply_the_diffuse_colour() {
             "{found:?}"
         );
     }
+}
+
+#[test]
+fn masks_have_the_cutoff_of_their_material() {
+    let cutoff = |scene: Result<Scene, String>| triangles(&scene.expect("it is right")).textures()[0].cutoff;
+    let gltf = |mode: &str, opacity: f32, least: Value| {
+        cutoff(read_textured(&|it| {
+            let material = &mut it["materials"][0];
+            material["alphaMode"] = json!(mode);
+            material["pbrMetallicRoughness"]["baseColorFactor"] = json!([1, 1, 1, opacity]);
+            if least != Value::Null {
+                material["alphaCutoff"] = least.clone();
+            }
+        }))
+    };
+    assert_eq!(gltf("OPAQUE", 0.5, Value::Null), 0);
+    assert_eq!(gltf("MASK", 1.0, Value::Null), 32768);
+    assert_eq!(gltf("MASK", 0.5, json!(0.2)), 26214);
+    assert_eq!(gltf("BLEND", 0.4, Value::Null), 32768);
+    let with = |mask: &str| obj(&format!("newmtl wood\nmap_Kd maps/a.png\nmap_d {mask}\n"), &picture());
+    assert_eq!(cutoff(with("maps/a.png")), 32768);
+    let other = with("maps/b.png");
+    assert!(
+        remarks(&other.as_ref().expect("it is right"))
+            .concat()
+            .starts_with("the mask maps/b.png is left out")
+    );
+    assert_eq!(cutoff(other), 0);
 }
 
 /// The tetrahedron with a texture on it: a picture of four texels, in its own data.

@@ -58,13 +58,13 @@ impl Triangles {
     }
 
     /// Returns the distance at which `ray` meets the triangle of this number, and the weights of its second
-    /// and third corner there.
+    /// and third corner there; `None` where it passes through a hole in it.
     fn met(&self, ray: &ShearedRay, triangle: u32) -> Option<(f64, [f64; 2])> {
         let corners = self.corners_of(triangle);
         let met = ray.met(corners)?;
         let [a, b, c] = corners;
         let is_front = || (b - a).cross(c - a).dot(ray.direction) < 0.0;
-        (self.is_two_sided || is_front()).then_some(met)
+        ((self.is_two_sided || is_front()) && self.is_solid(triangle, met.1)).then_some(met)
     }
 }
 

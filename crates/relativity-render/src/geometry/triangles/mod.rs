@@ -8,7 +8,7 @@
 //! # Light
 //!
 //! A triangle reflects daylight as its paint does: a measured material, or smooth paint, which is what the
-//! corners have, times the [`texture`].
+//! corners have, times the [`texture`]. Where the opacity of that is below its cutoff, there is a hole.
 
 mod crossing;
 mod edges;
@@ -251,8 +251,10 @@ impl Triangles {
         let texels =
             self.textures.iter().flat_map(|texture| &texture.texels).copied().map(u32::from_le_bytes);
         let wraps = self.textures.iter().flat_map(|texture| texture.wrap).map(|wrap| wrap as u32);
+        let cutoffs = self.textures.iter().map(|texture| u32::from(texture.cutoff));
         let words = floats.map(f32::to_bits).chain(self.faces.iter().flatten().copied()).chain([sides]);
-        let words = words.chain(self.texture_numbers.iter().copied()).chain(texels).chain(wraps);
+        let words =
+            words.chain(self.texture_numbers.iter().copied()).chain(texels).chain(wraps).chain(cutoffs);
         let materials = self.materials.iter().map(|material| material.map_or(0, |of| of.number() as u64 + 1));
         let words = words.map(u64::from).chain(middle).chain(materials);
         words.fold(0xcbf2_9ce4_8422_2325, |hash: u64, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3))

@@ -14,9 +14,11 @@
 //! and in the two bits below one less than how many follow. Paint is 16 bits a reflectance.
 //!
 //! Behind the records of a model with textures come two texels for each triangle, whose number its record has
-//! (0 is none): the places of its corners in its texture, and the number of the texture's header. That is one
-//! texel: width, height, wrapping, and the number of the first of its words, which are the texels of the
-//! texture and its smaller copies. They may lie behind those of other models, which share them.
+//! (0 is none): the places of its corners in its texture, the number of the texture's header, and 1 where a
+//! measured material takes the place of the texture, of which its holes are left. The header is one texel:
+//! width, height, wrapping with the cutoff in its upper half, and the number of the first of its words, which
+//! are the texels of the texture and its smaller copies. They may lie behind those of other models, which
+//! share them.
 
 use glam::Vec3;
 
@@ -82,7 +84,7 @@ impl Triangles {
         let headers = texels.len();
         texels.extend(self.textures.iter().map(|texture| {
             let ([width, height], [across, down]) = (texture.levels[0].size, texture.wrap);
-            [width, height, across as u32 | (down as u32) << 8, 0]
+            [width, height, across as u32 | (down as u32) << 8 | u32::from(texture.cutoff) << 16, 0]
         }));
         PackedModel { texels, waiting: depth, headers }
     }
@@ -93,14 +95,16 @@ impl Triangles {
         let headers = texels.len() + 2 * leaves.len();
         for (record, &triangle) in leaves.iter().enumerate() {
             let number = self.texture_numbers.get(triangle as usize).copied().unwrap_or(RawModel::NO_TEXTURE);
-            if number == RawModel::NO_TEXTURE || self.material(triangle).is_some() {
+            let is_measured = self.material(triangle).is_some();
+            let has_holes = self.textures.get(number as usize).is_some_and(|texture| texture.cutoff > 0);
+            if number == RawModel::NO_TEXTURE || (is_measured && !has_holes) {
                 texels.extend([Texel::default(); 2]);
                 continue;
             }
             texels[records + TEXELS * record + 2][3] = texels.len() as u32;
             let places = self.faces[triangle as usize].map(|corner| self.texture_places[corner as usize]);
             let [[au, av], [bu, bv], [cu, cv]] = places.map(|place| place.map(f32::to_bits));
-            texels.extend([[au, av, bu, bv], [cu, cv, (headers as u32) + number, 0]]);
+            texels.extend([[au, av, bu, bv], [cu, cv, (headers as u32) + number, u32::from(is_measured)]]);
         }
     }
 

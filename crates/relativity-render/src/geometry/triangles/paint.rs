@@ -23,13 +23,25 @@ impl Triangles {
     pub(crate) fn paint_over(&self, point: TrianglePoint, range: impl Fn(DVec3) -> f64) -> [f64; 3] {
         let own = self.corner_paint(point);
         let Some(texture) = self.texture_of(point.triangle) else { return own };
-        let corners = self.faces[point.triangle as usize].map(|corner| self.texture_places[corner as usize]);
-        let [a, b, c] = corners.map(|place| place.map(f64::from));
-        let [second, third] = point.weights.map(f64::from);
-        let place = from_fn(|side| a[side] + second * (b[side] - a[side]) + third * (c[side] - a[side]));
-        let gradients = self.gradients(point.triangle, [a, b, c]);
+        let corners = self.texture_corners(point.triangle);
+        let place = place_between(corners, point.weights.map(f64::from));
+        let gradients = self.gradients(point.triangle, corners);
         let colour = texture.colour(place, gradients.map(range));
         from_fn(|part| own[part] * colour[part])
+    }
+
+    /// Whether there is a surface where the second and the third corner of a triangle have these weights: its
+    /// texture may have holes.
+    pub(crate) fn is_solid(&self, triangle: u32, weights: [f64; 2]) -> bool {
+        // The measured material of a leaf has the form of its picture.
+        let number = self.texture_numbers.get(triangle as usize).copied().unwrap_or(RawModel::NO_TEXTURE);
+        let texture = self.textures.get(number as usize).filter(|texture| texture.cutoff > 0);
+        texture.is_none_or(|texture| texture.is_solid(place_between(self.texture_corners(triangle), weights)))
+    }
+
+    /// The places of a triangle's corners in its texture.
+    fn texture_corners(&self, triangle: u32) -> [[f64; 2]; 3] {
+        self.faces[triangle as usize].map(|corner| self.texture_places[corner as usize].map(f64::from))
     }
 
     /// Returns the measured material of this triangle, if it has one.
@@ -93,4 +105,9 @@ impl Triangles {
             turned * scale
         })
     }
+}
+
+/// The place where the second and the third corner, of corners at these places, have these weights.
+fn place_between([a, b, c]: [[f64; 2]; 3], [second, third]: [f64; 2]) -> [f64; 2] {
+    from_fn(|side| a[side] + second * (b[side] - a[side]) + third * (c[side] - a[side]))
 }

@@ -25,14 +25,16 @@ static LINEAR: LazyLock<[f32; 256]> =
     LazyLock::new(|| from_fn(|level| srgb_decoded(level as f64 / 255.0) as f32));
 
 /// A picture, and how it goes on beyond its edges.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Texture {
     /// Width and height, texels.
     pub size: [u32; 2],
-    /// Red, green and blue in sRGB, and a fourth part without a meaning, row by row from the top left.
+    /// Red, green and blue in sRGB, and the opacity, row by row from the top left.
     pub texels: Vec<[u8; 4]>,
     /// The continuation to the left and right, and above and below.
     pub wrap: [Wrap; 2],
+    /// The least opacity at which there is a surface, in parts of 65535: 0 where there is one everywhere.
+    pub cutoff: u16,
 }
 
 impl Texture {
@@ -73,6 +75,8 @@ pub struct MipMap {
     pub levels: Vec<Level>,
     /// The continuation of the texture, see [`Texture::wrap`].
     pub wrap: [Wrap; 2],
+    /// The least opacity of a surface, see [`Texture::cutoff`].
+    pub cutoff: u16,
 }
 
 /// A texture or a copy of it among the texels of a [`MipMap`].
@@ -108,10 +112,10 @@ impl MipMap {
 
     /// Makes the copies of `texture`, whose size is not 0 and counts its texels.
     fn new(texture: Texture) -> Self {
-        let Texture { size, mut texels, wrap } = texture;
+        let Texture { size, mut texels, wrap, cutoff } = texture;
         // The copies together: a third, and a little more of one that is narrow.
         texels.reserve_exact(texels.len() / 3 + 2 * (size[0].max(size[1]) as usize));
-        let mut map = Self { texels, levels: vec![Level { size, first: 0 }], wrap };
+        let mut map = Self { texels, levels: vec![Level { size, first: 0 }], wrap, cutoff };
         while let Some(&last) = map.levels.last().filter(|level| level.size != [1, 1]) {
             let next = Level { size: last.size.map(|side| (side / 2).max(1)), first: map.texels.len() };
             let [rows, columns] = [1, 0].map(|side| TexelShares::new(last.size[side], next.size[side]));
@@ -162,24 +166,38 @@ impl MipMap {
         from_fn(|part| large[part] + share * (small[part] - large[part]))
     }
 
+    /// Whether there is a surface at a `place`: the opacity of the texture itself, between the nearest four
+    /// texels, is not below its cutoff.
+    pub(super) fn is_solid(&self, place: [f64; 2]) -> bool {
+        let opacity: f64 =
+            self.nearest(self.levels[0], place).map(|(texel, share)| share * f64::from(texel[3])).sum();
+        opacity * 257.0 >= f64::from(self.cutoff)
+    }
+
     /// Returns the linear colour at a `place` of `level`, between the nearest four texels.
     fn between(&self, level: Level, place: [f64; 2]) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for (texel, share) in self.nearest(level, place) {
+            for (sum, part) in sum.iter_mut().zip(texel) {
+                *sum += share * f64::from(LINEAR[usize::from(part)]);
+            }
+        }
+        sum
+    }
+
+    /// Returns the four texels of `level` that are nearest to a `place`, with their shares.
+    fn nearest(&self, level: Level, place: [f64; 2]) -> impl Iterator<Item = ([u8; 4], f64)> + use<'_> {
         let [columns, rows] = [0, 1].map(|side| {
             let at = place[side] * f64::from(level.size[side]) - 0.5;
             let count = i64::from(level.size[side]);
             let near = [0, 1].map(|next| self.wrap[side].place(at.floor() as i64 + next, count) as usize);
             [(near[0], 1.0 - (at - at.floor())), (near[1], at - at.floor())]
         });
-        let mut sum = [0.0; 3];
-        for (row, height) in rows {
-            for (column, width) in columns {
-                let texel = self.texels[level.first + row * level.size[0] as usize + column];
-                for (sum, part) in sum.iter_mut().zip(texel) {
-                    *sum += width * height * f64::from(LINEAR[usize::from(part)]);
-                }
-            }
-        }
-        sum
+        rows.into_iter().flat_map(move |(row, height)| {
+            columns.into_iter().map(move |(column, width)| {
+                (self.texels[level.first + row * level.size[0] as usize + column], width * height)
+            })
+        })
     }
 }
 
@@ -213,7 +231,7 @@ mod tests {
 
     fn texture(size: [u32; 2], wrap: Wrap) -> Texture {
         let texel = |i: u32| [(i * 37 % 256) as u8, (i * 101 % 256) as u8, (i * 11 % 256) as u8, 255];
-        Texture { size, texels: (0..size[0] * size[1]).map(texel).collect(), wrap: [wrap; 2] }
+        Texture { size, texels: (0..size[0] * size[1]).map(texel).collect(), wrap: [wrap; 2], cutoff: 0 }
     }
 
     /// Every copy has the brightness of the texture, as nothing is lost or counted twice: of odd sizes too.

@@ -185,7 +185,8 @@ impl<'a> CurveSearch<'a> {
             let Some(s) = root([from, to], |s| off(self.at(s))) else { continue };
             let [place, direction] = self.at(s);
             let is_seen = self.triangles.is_two_sided() || across.dot(direction) < 0.0;
-            if let Some(weights) = weights_at(place - a, [b - a, c - a], across).filter(|_| is_seen) {
+            let weights = weights_at(place - a, [b - a, c - a], across).filter(|_| is_seen);
+            if let Some(weights) = weights.filter(|weights| self.triangles.is_solid(triangle, *weights)) {
                 let point = TrianglePoint { triangle, weights: weights.map(|weight| weight as f32) };
                 return Some(TriangleCrossing { s, point, across, direction });
             }
