@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::path::Path;
 
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
@@ -128,6 +129,21 @@ fn every_link_leads_to_a_file_or_a_heading() {
         }
     }
     assert!(links > 40, "{links}");
+}
+
+#[test]
+fn the_index_and_the_site_have_every_page() {
+    let index = include_str!("../../docs/README.md");
+    let site = include_str!("../../mkdocs.yml");
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/docs"));
+    for (path, _) in pages().into_iter().filter(|(path, _)| path.parent() == Some(folder)) {
+        let name = path.file_name().expect("a file").to_string_lossy();
+        assert!(
+            name == "README.md" || index.contains(&format!("({name})")),
+            "{name} is not in docs/README.md"
+        );
+        assert!(site.contains(&format!("- {name}\n")), "{name} is not in mkdocs.yml");
+    }
 }
 
 #[test]
