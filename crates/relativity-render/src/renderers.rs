@@ -255,13 +255,15 @@ impl Renderers {
         appearance: &Appearance,
         target: &mut EyeTarget,
     ) -> Result<Method, GpuError> {
-        view.drawn_on_gpu()?;
-        let method = self.in_place_of_rays(method.on_gpu(view), scene, view)?;
+        let method = self.drawn_by(method, scene, view)?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
         if method == Method::Packets
             && let (Some(gpu), Some(packets)) = (&self.gpu, &self.packets)
         {
-            target.write(gpu, &packets.picture(scene, &view.with_size(target.size()), appearance));
+            target.write(
+                gpu,
+                &packets.picture_while(scene, &view.with_size(target.size()), appearance, &|| true),
+            );
             return scopes.close().map(|()| method);
         }
         if let (Method::Reference, Some(gpu)) = (method, &self.gpu) {
@@ -271,6 +273,34 @@ impl Renderers {
         let (gpu, canvas, drawing) = self.drawing(method)?;
         canvas.paint(gpu, drawing, scene, view, appearance, target);
         scopes.close().map(|()| method)
+    }
+
+    /// Returns the method that [`Self::draw`] draws `scene` by, for this `method`.
+    ///
+    /// # Errors
+    ///
+    /// A view that nothing draws there, or a device that refuses the scene's models.
+    pub fn drawn_by(
+        &mut self,
+        method: Method,
+        scene: &PreparedScene,
+        view: &View,
+    ) -> Result<Method, GpuError> {
+        view.drawn_on_gpu()?;
+        self.in_place_of_rays(method.on_gpu(view), scene, view)
+    }
+
+    /// Draws `view` by the packets while `goes_on` is true, which is asked between tiles of 8 x 8 pixels: the
+    /// others have no opacity. `None` where this machine has no packets.
+    #[must_use]
+    pub fn by_packets_while(
+        &self,
+        scene: &PreparedScene,
+        view: &View,
+        appearance: &Appearance,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Picture> {
+        Some(self.packets.as_ref()?.picture_while(scene, view, appearance, goes_on))
     }
 
     /// Returns `method`, or the packets for rays on a device that cannot draw these.
@@ -328,7 +358,7 @@ impl Renderers {
         if method == Method::Packets
             && let Some(packets) = &self.packets
         {
-            return Ok(packets.picture(scene, view, appearance));
+            return Ok(packets.picture_while(scene, view, appearance, &|| true));
         }
         if method.is_on_cpu() {
             return Ok(scene.picture(view, appearance, samples));

@@ -8,6 +8,7 @@ mod hatch;
 mod joints;
 mod mercator;
 mod models;
+mod nested;
 mod oblique_riding;
 mod patterns;
 mod picking;

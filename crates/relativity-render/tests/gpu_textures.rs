@@ -72,7 +72,8 @@ fn wheel_of(mut model: RawModel) -> RawModel {
     model
 }
 
-/// Rays, packets and mesh, of models that stand and that turn, have the reference's holes. A measured material has the holes of its picture, too.
+/// Rays, packets and mesh, of models that stand and that turn, have the reference's holes. A measured
+/// material has the holes of its picture, too.
 fn holes_are_the_references(renderers: &mut Renderers) {
     let mut model = plate(1.0);
     model.textures[0] = holes().prepared().expect("a texture");

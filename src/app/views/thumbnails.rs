@@ -6,20 +6,20 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use eframe::egui::{Context, TextureHandle, TextureOptions};
-use relativity_render::Picture;
+use relativity_render::{Method, Picture};
 
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::state::State;
 use crate::app::tools::image;
 use crate::app::tools::worker::{BackgroundWork, StepOutcome, Wanted, Work};
-use crate::app::views::reference_steps::{ReferencePicture, ReferenceSteps};
+use crate::app::views::picture_steps::{PictureJob, PictureSteps};
 use crate::eye::Eye;
 use crate::files::jpeg;
 use crate::lesson::{Lesson, card};
 use crate::settings::Settings;
 
 /// The drawing of a thumbnail; there is nothing to draw where its lesson cannot be shown.
-pub struct ThumbnailSteps(Option<ReferenceSteps>);
+pub struct ThumbnailSteps(Option<PictureSteps>);
 
 impl Work for ThumbnailSteps {
     const NAME: &'static str = "thumbnail";
@@ -122,13 +122,13 @@ fn load(ctx: &Context, name: &str, size: [u32; 2], rgba: &[[u8; 4]]) -> TextureH
 }
 
 /// The drawing of a lesson with these settings; `None` where it cannot be shown.
-fn steps(settings: &str) -> Option<ReferenceSteps> {
+fn steps(settings: &str) -> Option<PictureSteps> {
     let settings = Settings::default().with_toml(settings, "the lesson").ok()?;
     let mut state = State::open(settings).ok()?;
     state.frame.picture.size = card::SIZE;
     let (view, appearance) = (state.view(Eye::Left, card::SIZE), state.appearance(false));
-    let drawing = ReferencePicture { view, appearance, samples: REFERENCE_SAMPLES };
-    Some(ReferenceSteps::begin(state.document.prepared.clone(), drawing))
+    let drawing = PictureJob { view, appearance, method: Method::Reference, samples: REFERENCE_SAMPLES };
+    Some(PictureSteps::begin(state.document.prepared.clone(), drawing))
 }
 
 #[cfg(test)]

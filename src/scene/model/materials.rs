@@ -149,8 +149,8 @@ fn colour(text: &str) -> Option<[f32; 3]> {
 }
 
 impl Map {
-    /// Returns the picture of a statement that begins with `word`, after its options; those that are not known
-    /// here are remarked.
+    /// Returns the picture of a statement that begins with `word`, after its options; those that are not
+    /// known here are remarked.
     fn parse(word: &str, text: &str, folder: &str, companions: &Companions<'_>) -> Option<Self> {
         let folder = folder.to_owned();
         let mut map =

@@ -70,8 +70,8 @@ struct Candidates<'a> {
 
 impl PreparedScene {
     /// Returns one value per pixel of `view`, row by row: `draw` is called with each tile and the rows of
-    /// pixels to write into. Bands of rows that are not `wanted` when they would begin, by their first row,
-    /// keep the default.
+    /// pixels to write into. What is not `wanted` when it would begin, by the first row of its band, keeps
+    /// the default.
     pub(crate) fn tiles<T: Clone + Default + Send>(
         &self,
         view: &View,
@@ -94,7 +94,11 @@ impl PreparedScene {
             let mut rows = PixelRows { values, width: width as usize, top };
             let groups = (0..group_views.len() as u32).collect();
             let all = Candidates { groups, others: (0..division.others.len() as u32).collect() };
-            division.divide(tile, &all, &mut |look| draw(look, &mut rows));
+            division.divide(tile, &all, &mut |look| {
+                if wanted(top) {
+                    draw(look, &mut rows);
+                }
+            });
         });
         image
     }
@@ -174,8 +178,9 @@ impl<'a> PictureDivision<'a> {
 
     /// Whether anything in the hierarchy of the group of this number may be seen in `cap`.
     fn shows_standing(&self, group: usize, cap: &Cap) -> bool {
-        let hierarchy = self.scene.hierarchy(group);
-        let beam = self.scene.beam(group, &self.views[group], cap);
+        let view = &self.views[group];
+        let hierarchy = self.scene.hierarchy(group, view);
+        let beam = self.scene.beam(group, view, cap);
         beam.map_or(!hierarchy.is_empty(), |beam| hierarchy.is_met(&beam))
     }
 }

@@ -56,7 +56,7 @@ impl PreparedScene {
     /// Returns the beam in which lines of sight within `cap` may meet the bodies of this `group` that keep
     /// their places.
     pub(crate) fn standing(&self, group: usize, view: &GroupView, cap: &Cap) -> Option<Within> {
-        let hierarchy = self.hierarchy(group);
+        let hierarchy = self.hierarchy(group, view);
         if hierarchy.is_empty() || !view.has_straight_rays() {
             return None;
         }
@@ -171,7 +171,7 @@ impl EntrySearch<'_> {
     }
 
     fn hierarchy(&self) -> &Hierarchy {
-        self.scene.hierarchy(self.chosen.group)
+        self.scene.hierarchy(self.chosen.group, self.view)
     }
 
     fn middle(&self) -> DVec3 {

@@ -6,4 +6,5 @@ pub(crate) mod one_cone;
 pub(crate) mod pattern;
 pub mod prepared_body;
 pub(crate) mod prepared_scene;
+mod standing;
 pub(crate) mod wheel;

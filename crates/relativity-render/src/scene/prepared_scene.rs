@@ -6,10 +6,11 @@ use std::sync::Arc;
 
 use super::body::{Body, Emission};
 use super::prepared_body::{PreparedBody, find_joints, find_patterned, number_emissions};
+use super::standing::StandingBodies;
 use super::wheel::solid::TurningSolid;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::extent::Extent;
-use crate::geometry::hierarchy::{Beam, Hierarchy, pieces};
+use crate::geometry::hierarchy::{Beam, Hierarchy};
 use crate::geometry::intersect::{Entry, Solid};
 use crate::geometry::ray::Ray;
 use crate::geometry::triangles::Triangles;
@@ -67,8 +68,8 @@ struct Prepared {
     turning: Vec<TurningSolid>,
     /// For each body its place among those, [`NONE`] if it is not there; none at all where no body is.
     turning_places: Vec<u32>,
-    /// For each group, boxes around those of its bodies that keep their places.
-    hierarchies: Vec<Hierarchy>,
+    /// For each group those of its bodies that keep their places.
+    standing: Vec<StandingBodies>,
     /// The numbers of bodies that turn, whether out of their places or not.
     spinning: Vec<u32>,
     /// Light that bodies emit, each kind once.
@@ -136,8 +137,8 @@ impl PreparedScene {
         let spinning = bodies.iter().filter(|body| body.spin.is_some());
         let spinning = spinning.map(|body| body.number as u32).collect();
         let emissions = number_emissions(&mut bodies);
-        let hierarchy = |group: &PreparedGroup| hierarchy(group, &bodies, &solids, &capsules);
-        let hierarchies = prepared.iter().map(hierarchy).collect();
+        let standing = |group: &PreparedGroup| StandingBodies::new(group, &bodies, &solids, &capsules);
+        let standing = prepared.iter().map(standing).collect();
         let numbers = (0..bodies.len() as u32).collect();
         let models = bodies.iter().filter_map(|body| Some((body.number, body.triangles.clone()?))).collect();
         Self(Arc::new(Prepared {
@@ -146,7 +147,7 @@ impl PreparedScene {
             solids,
             turning,
             turning_places,
-            hierarchies,
+            standing,
             spinning,
             emissions,
             numbers,
@@ -225,9 +226,10 @@ impl PreparedScene {
         self.0.models.iter().map(|(_, triangles)| triangles)
     }
 
-    /// Boxes around the bodies of the group of this number that keep their places in it.
-    pub(crate) fn hierarchy(&self, group: usize) -> &Hierarchy {
-        &self.0.hierarchies[group]
+    /// Boxes around the bodies of the group of this number that keep their places in it, without those that
+    /// its `view` does not show wherever it looks.
+    pub(crate) fn hierarchy(&self, group: usize, view: &GroupView) -> &Hierarchy {
+        self.0.standing[group].seen_from(view.origin)
     }
 
     /// Returns the beam of rays within `cap` as `view` has them in the group of this number; `None` where
@@ -360,19 +362,4 @@ fn ball_around(body: &PreparedBody, turning: Option<&TurningSolid>, capsules: &[
         (None, Some(block)) => block.ball_around(),
         (None, None) => Capsule::ball_around(&capsules[body.capsules.clone()]),
     }
-}
-
-/// The hierarchy of the bodies of `group` that stand still in it.
-fn hierarchy(
-    group: &PreparedGroup,
-    bodies: &[PreparedBody],
-    solids: &[Solid],
-    capsules: &[Capsule],
-) -> Hierarchy {
-    let standing = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
-    let extent = &group.extent;
-    let pieces = standing.flat_map(|body| {
-        pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
-    });
-    Hierarchy::new(pieces, extent.middle)
 }

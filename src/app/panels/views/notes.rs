@@ -19,13 +19,20 @@ pub fn note(state: &State, eye: Eye, picture: Option<ShownPicture>, with_heat_ma
     let projection = projection_note(&state.view(eye, state.frame.picture.size).camera);
     let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
-    joined([readiness(state), geometry, model, projection, colour, street, method, heat_map])
+    let coarseness = picture.and_then(coarseness);
+    joined([readiness(state), geometry, model, projection, colour, street, method, coarseness, heat_map])
 }
 
 /// Returns the notes on the picture in `pane` for an audience, which are not about how it was drawn.
 pub fn note_for_audience(ui: &Ui, state: &State, pane: EyePane) -> String {
     let notes = [readiness(state)].into_iter().chain(notes_on_light(state, pane.eye));
     joined(notes.chain([unseen(ui, state, pane)]))
+}
+
+/// Says how coarse a picture is that no frame has the time for.
+fn coarseness(picture: ShownPicture) -> Option<String> {
+    let side = picture.coarseness;
+    (side > 1).then(|| format!("coarse while it moves: {side} x {side} pixels as one"))
 }
 
 /// Says while it is so that T waits for what draws the picture.

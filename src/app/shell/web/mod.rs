@@ -24,8 +24,7 @@ use crate::app::state::stage::Stage;
 use crate::app::tools::painting;
 use crate::app::tools::worker::{Work as _, serve as serve_work};
 use crate::app::views::{
-    corrected::Correction, examination::MethodSteps, reference_steps::ReferenceSteps,
-    thumbnails::ThumbnailSteps,
+    corrected::Correction, examination::MethodSteps, picture_steps::PictureSteps, thumbnails::ThumbnailSteps,
 };
 use crate::settings::Settings;
 
@@ -65,7 +64,7 @@ fn serve(kind: &str) {
         Correction::NAME => serve_work::<Correction>(),
         FitSteps::NAME => serve_work::<FitSteps>(),
         MethodSteps::NAME => serve_work::<MethodSteps>(),
-        ReferenceSteps::NAME => serve_work::<ReferenceSteps>(),
+        PictureSteps::NAME => serve_work::<PictureSteps>(),
         SavingStep::NAME => serve_work::<SavingStep>(),
         ThumbnailSteps::NAME => serve_work::<ThumbnailSteps>(),
         _ => instances::fail("there is no such work"),

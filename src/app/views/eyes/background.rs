@@ -1,5 +1,5 @@
-//! Pictures by the reference renderer, which are made in the background while nothing changes: step by step
-//! with more rays a pixel.
+//! Pictures by the reference renderer, or by the packets where no frame has the time for them, which are made
+//! in the background while nothing changes: step by step with more rays a pixel.
 
 use eframe::egui::Context;
 use relativity_render::Picture;
@@ -8,7 +8,7 @@ use super::request::Request;
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::tools::debounce::Debounce;
 use crate::app::tools::worker::BackgroundWork;
-use crate::app::views::reference_steps::{ReferencePicture, ReferenceSteps};
+use crate::app::views::picture_steps::{PictureJob, PictureSteps};
 
 /// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any
 /// other picture.
@@ -27,7 +27,7 @@ pub struct FinishedPicture {
 
 /// The background drawing of one eye.
 pub struct Background {
-    worker: BackgroundWork<ReferenceSteps, (Request, u32)>,
+    worker: BackgroundWork<PictureSteps, (Request, u32)>,
     stillness: Debounce<Request>,
     requested: Option<(Request, u32)>,
     /// Newest picture.
@@ -101,7 +101,8 @@ impl Background {
         let Some(samples) = next.filter(|_| may_begin) else { return };
         let is_requested = |(of, step): &(Request, u32)| of == request && *step == samples;
         if !self.requested.as_ref().is_some_and(is_requested) {
-            let drawing = ReferencePicture { view: request.view, appearance: request.appearance, samples };
+            let Request { view, appearance, method, .. } = *request;
+            let drawing = PictureJob { view, appearance, method, samples };
             self.worker.request((request.clone(), samples), request.scene.clone(), drawing);
             self.requested = Some((request.clone(), samples));
         }

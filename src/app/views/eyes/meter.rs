@@ -6,7 +6,9 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use gamow_platform::clock::Instant;
 use relativity_render::{EyeTarget, Geometry, Gpu, GpuError, Method, Renderers};
 
+use super::pace::Pace;
 use super::request::Request;
+use super::slot::Drawn;
 use crate::accuracy::{Automatic, Choice, Machine, MethodViews, REFERENCE_SAMPLES};
 use crate::flags::Goal;
 
@@ -29,6 +31,7 @@ pub struct Meter {
     sender: Sender<Measured>,
     measured: Receiver<Measured>,
     awaited: u32,
+    pace: Pace,
 }
 
 /// The cost of a drawing: by which method, of which geometry, milliseconds and pixels.
@@ -71,6 +74,7 @@ impl Meter {
             sender,
             measured,
             awaited: 0,
+            pace: Pace::default(),
         }
     }
 
@@ -101,31 +105,52 @@ impl Meter {
         request: &Request,
         method: Method,
         target: &mut EyeTarget,
-    ) -> Result<Method, GpuError> {
+    ) -> Result<Drawn, GpuError> {
         if !self.is_on {
-            return draw(renderers, gpu, request, method, target);
+            return self.draw_now(renderers, gpu, request, method, target);
         }
         let geometry = request.view.geometry;
         let is_due =
             self.awaited == 0 && self.automatic.costs().is_due(method, geometry, self.clock.elapsed_ms());
         if !is_due {
-            let drew = draw(renderers, gpu, request, method, target)?;
+            let drew = self.draw_now(renderers, gpu, request, method, target)?;
             self.automatic.costs().note(method, geometry, None, self.clock.elapsed_ms());
             return Ok(drew);
         }
         gpu.wait()?;
         let start = Instant::now();
-        let drew = draw(renderers, gpu, request, method, target)?;
+        let drew = self.draw_now(renderers, gpu, request, method, target)?;
         let (sender, [width, height]) = (self.sender.clone(), target.size().map(f64::from));
+        let pixels = width * height / f64::from(drew.coarseness * drew.coarseness);
         gpu.when_finished(move || {
             // The window may be gone.
-            let _ =
-                sender.send(Measured { method, geometry, ms: start.elapsed_ms(), pixels: width * height });
+            let _ = sender.send(Measured { method, geometry, ms: start.elapsed_ms(), pixels });
         });
         self.awaited += 1;
         gpu.wait()?;
         self.receive();
         Ok(drew)
+    }
+
+    /// Draws `request` by `method` into `target`.
+    fn draw_now(
+        &mut self,
+        renderers: &mut Renderers,
+        gpu: &Gpu,
+        request: &Request,
+        method: Method,
+        target: &mut EyeTarget,
+    ) -> Result<Drawn, GpuError> {
+        let Request { scene, view, appearance, .. } = request;
+        if method == Method::Reference {
+            target.write(gpu, &scene.picture(view, appearance, REFERENCE_SAMPLES));
+            return Ok(Drawn::in_full(method));
+        }
+        if renderers.drawn_by(method, scene, view)? == Method::Packets {
+            let coarseness = self.pace.draw(renderers, gpu, request, target);
+            return Ok(Drawn { method: Method::Packets, coarseness });
+        }
+        renderers.draw(method, scene, view, appearance, target).map(Drawn::in_full)
     }
 
     /// Notes the costs that the device has reported.
@@ -136,20 +161,4 @@ impl Meter {
             self.automatic.costs().note(method, geometry, Some((ms, pixels)), now_ms);
         }
     }
-}
-
-/// Draws `request` by `method` into `target`, and returns the method that drew.
-fn draw(
-    renderers: &mut Renderers,
-    gpu: &Gpu,
-    request: &Request,
-    method: Method,
-    target: &mut EyeTarget,
-) -> Result<Method, GpuError> {
-    let Request { scene, view, appearance, .. } = request;
-    if method == Method::Reference {
-        target.write(gpu, &scene.picture(view, appearance, REFERENCE_SAMPLES));
-        return Ok(method);
-    }
-    renderers.draw(method, scene, view, appearance, target)
 }

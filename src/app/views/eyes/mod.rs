@@ -1,8 +1,9 @@
-//! The two eyes' pictures, each drawn again only when something about it changed: within the frame, or by the
-//! reference renderer in the background, which also makes smoother what does not change.
+//! The two eyes' pictures, each drawn again only when something about it changed: within the frame, or in the
+//! background, which also makes smoother what does not change, and whole what no frame has the time for.
 
 mod background;
 mod meter;
+mod pace;
 mod request;
 mod slot;
 
@@ -15,7 +16,7 @@ pub use request::{Request, ShownPicture};
 
 use self::background::{Background, FinishedPicture};
 use self::meter::Meter;
-use self::slot::{ComposedPicture, DrawnBy, EyePicture, fitting, fitting_composed};
+use self::slot::{ComposedPicture, Drawn, DrawnBy, EyePicture, fitting, fitting_composed};
 use crate::accuracy::MethodViews;
 use crate::app::tools::graphics;
 use crate::app::tools::painting;
@@ -174,6 +175,9 @@ impl EyePictures {
         let made = if request.is_for_reference() {
             let background = background.get_or_insert_with(|| Background::new(ctx));
             background.picture(ctx, request).map(|made| (made, Method::Reference))
+        } else if picture.is_coarse(request) {
+            let background = background.get_or_insert_with(|| Background::new(ctx));
+            background.picture(ctx, &request.for_packets()).map(|made| (made, Method::Packets))
         } else if request.refine && request.is_known_to_reference() {
             let background = background.get_or_insert_with(|| Background::new(ctx));
             background.smoother(ctx, &request.for_reference()).map(|made| (made, method))
@@ -186,7 +190,7 @@ impl EyePictures {
             let by = DrawnBy { method, samples: Some(*samples) };
             let shown = picture.shown(request, by, drawings, |target| {
                 target.write(gpu, made);
-                Ok(method)
+                Ok(Drawn::in_full(method))
             });
             return shown.map(Some);
         }
@@ -219,7 +223,7 @@ impl EyePictures {
         let by = DrawnBy { method: Method::Reference, samples: Some(*samples) };
         let written = picture.shown(of, by, drawings, |target| {
             target.write(gpu, made);
-            Ok(Method::Reference)
+            Ok(Drawn::in_full(Method::Reference))
         });
         written.ok()
     }
@@ -233,7 +237,7 @@ impl EyePictures {
         requests: [(usize, &Request); 2],
     ) -> Option<ShownPicture> {
         let [shown, other] = requests.map(|(index, request)| self.picture(ctx, index, request));
-        let ShownPicture { method, .. } = shown.and(other).and(shown)?;
+        let ShownPicture { method, coarseness, .. } = shown.and(other).and(shown)?;
         let Self { render_state, gpu, pictures, composer, composed, .. } = self;
         let [first, second] = requests.map(|(index, _)| pictures[index].as_ref());
         let (first, second) = (first?, second?);
@@ -245,7 +249,7 @@ impl EyePictures {
             composed.of = of;
             painting::is_drawn_anew(ctx, composed.texture);
         }
-        Some(ShownPicture { texture: composed.texture, method })
+        Some(ShownPicture { texture: composed.texture, method, coarseness })
     }
 
     /// Keeps the pictures as they are, while others are drawn in their place.

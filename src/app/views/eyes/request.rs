@@ -29,6 +29,8 @@ pub struct ShownPicture {
     /// only known to the mesh renderer, and one light cone for both eyes not to the rays; the packets stand
     /// in for these where the device cannot draw them, or has no room for a scene's models.
     pub method: Method,
+    /// How many pixels are one each way, as there was no time for more: else 1.
+    pub coarseness: u32,
 }
 
 impl Request {
@@ -50,6 +52,11 @@ impl Request {
     /// Returns the request with the reference as its method.
     pub fn for_reference(&self) -> Self {
         Self { method: Method::Reference, at_once: false, ..self.clone() }
+    }
+
+    /// Returns the request with the packets as its method.
+    pub fn for_packets(&self) -> Self {
+        Self { method: Method::Packets, at_once: false, ..self.clone() }
     }
 
     /// Returns the method that draws the view within the frame.

@@ -11,8 +11,10 @@ use super::request::{Request, ShownPicture};
 pub struct EyePicture {
     pub target: EyeTarget,
     pub texture: TextureId,
-    /// Request of the picture, how it was to be drawn, and the method that drew it.
-    drawn: Option<(Request, DrawnBy, Method)>,
+    /// Request of the picture, how it was to be drawn, and how it was.
+    drawn: Option<(Request, DrawnBy, Drawn)>,
+    /// How many pixels were one each way when it was last drawn within a frame.
+    pub coarseness: u32,
     /// Number of the picture's drawing among all.
     pub number: u64,
 }
@@ -26,6 +28,14 @@ pub struct DrawnBy {
     pub samples: Option<u32>,
 }
 
+/// The way in which a picture was drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drawn {
+    pub method: Method,
+    /// How many pixels are one each way, as there was no time for more: else 1.
+    pub coarseness: u32,
+}
+
 /// A picture composed of both eyes' pictures.
 pub struct ComposedPicture {
     pub target: Composed,
@@ -37,7 +47,7 @@ pub struct ComposedPicture {
 impl EyePicture {
     /// Returns what was drawn last, whatever is wanted by now.
     pub fn last(&self) -> Option<ShownPicture> {
-        self.drawn.as_ref().map(|&(.., method)| ShownPicture { texture: self.texture, method })
+        self.drawn.as_ref().map(|&(.., drawn)| self.as_drawn(drawn))
     }
 
     /// Returns the picture, after `draw` has drawn the request `by` this method or by the one it returns,
@@ -47,18 +57,37 @@ impl EyePicture {
         request: &Request,
         by: DrawnBy,
         drawings: &mut u64,
-        draw: impl FnOnce(&mut EyeTarget) -> Result<Method, GpuError>,
+        draw: impl FnOnce(&mut EyeTarget) -> Result<Drawn, GpuError>,
     ) -> Result<ShownPicture, GpuError> {
         let up_to_date = self.drawn.as_ref().filter(|(of, drawn, _)| *drawn == by && of.shows_as(request));
-        if let Some(&(.., method)) = up_to_date {
-            return Ok(ShownPicture { texture: self.texture, method });
+        if let Some(&(.., drawn)) = up_to_date {
+            return Ok(self.as_drawn(drawn));
         }
         self.drawn = None;
-        let method = draw(&mut self.target)?;
-        self.drawn = Some((request.clone(), by, method));
+        let drawn = draw(&mut self.target)?;
+        self.drawn = Some((request.clone(), by, drawn));
+        if by.samples.is_none() {
+            self.coarseness = drawn.coarseness;
+        }
         *drawings += 1;
         self.number = *drawings;
-        Ok(ShownPicture { texture: self.texture, method })
+        Ok(self.as_drawn(drawn))
+    }
+
+    /// Whether this `request` was last drawn coarsely within a frame.
+    pub fn is_coarse(&self, request: &Request) -> bool {
+        self.coarseness > 1 && self.drawn.as_ref().is_some_and(|(of, ..)| of.shows_as(request))
+    }
+
+    const fn as_drawn(&self, Drawn { method, coarseness }: Drawn) -> ShownPicture {
+        ShownPicture { texture: self.texture, method, coarseness }
+    }
+}
+
+impl Drawn {
+    /// Returns all of a picture by this `method`.
+    pub const fn in_full(method: Method) -> Self {
+        Self { method, coarseness: 1 }
     }
 }
 
@@ -73,7 +102,7 @@ pub fn fitting<'a>(
     slot.get_or_insert_with(|| {
         let target = EyeTarget::new(gpu, size);
         let texture = registered(render_state, target.view(), outgrown.map(|picture| picture.texture));
-        EyePicture { target, texture, drawn: None, number: 0 }
+        EyePicture { target, texture, drawn: None, coarseness: 1, number: 0 }
     })
 }
 

@@ -80,9 +80,7 @@ fn masks_have_the_cutoff_of_their_material() {
     assert_eq!(cutoff(with("maps/a.png")), 32768);
     let other = with("maps/b.png");
     assert!(
-        remarks(&other.as_ref().expect("it is right"))
-            .concat()
-            .starts_with("the mask maps/b.png is left out")
+        remarks(other.as_ref().expect("it is right")).concat().starts_with("the mask maps/b.png is left out")
     );
     assert_eq!(cutoff(other), 0);
 }

@@ -48,11 +48,18 @@ impl PacketRenderer {
         Some(Self { level: widest()? })
     }
 
-    /// The picture `view` shows of `scene`.
-    pub fn picture(&self, scene: &PreparedScene, view: &View, appearance: &Appearance) -> Picture {
+    /// The picture `view` shows of `scene`, as far as it is drawn while `goes_on` is true, which is asked
+    /// between tiles: the others have no colour and no opacity.
+    pub fn picture_while(
+        &self,
+        scene: &PreparedScene,
+        view: &View,
+        appearance: &Appearance,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Picture {
         let look = Look::new(scene, view, Some(appearance));
         let tables = Tables::shared();
-        let rgba = scene.tiles(view, &look.views, &|_| true, |tile, rows| {
+        let rgba = scene.tiles(view, &look.views, &|_| goes_on(), |tile, rows| {
             on_registers!(self.level, simd => {
                 if let Some(cap) = &tile.cap {
                     let drawn = look.draw(simd, &STANDARD, tile, cap);

@@ -166,7 +166,7 @@ fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds:
     let turning = scene.spinning().iter().copied();
     let is_in = |body: &u32| prepared.bodies.contains(&(*body as usize));
     out.extend(turning.filter(|body| is_in(body) && scene.turning(*body as usize).is_some()));
-    scene.hierarchy(group).along(&beam, |candidate| {
+    scene.hierarchy(group, view).along(&beam, |candidate| {
         out.push(candidate.body);
         f32::INFINITY
     });

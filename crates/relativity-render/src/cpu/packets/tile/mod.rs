@@ -88,7 +88,7 @@ impl Look<'_> {
                 own.enter(body as usize, false);
             }
             if let Some(beam) = beam {
-                self.scene.hierarchy(number).along_on(simd, &beam, |candidate| {
+                self.scene.hierarchy(number, view).along_on(simd, &beam, |candidate| {
                     if !candidate.is_one_of_some || own.is_new(candidate.body) {
                         own.enter(candidate.body as usize, true);
                     }

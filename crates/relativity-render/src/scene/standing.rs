@@ -1,0 +1,109 @@
+//! The bodies of a group that stand still in it: boxes around them, and which of them no eye outside sees.
+//!
+//! A body inside of a ball is hidden by it from all eyes that are not in it themselves: where a ray meets
+//! that body, it has met the ball before. Bodies one in the other cost no more than the outermost.
+//! Of bodies that are one and the same in shape and place, the first is seen.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::prepared_body::PreparedBody;
+use super::prepared_scene::PreparedGroup;
+use crate::geometry::capsule::Capsule;
+use crate::geometry::hierarchy::{Hierarchy, pieces};
+use crate::geometry::intersect::Solid;
+use crate::geometry::shape::Shape;
+
+/// Greatest number of balls, the largest of a group, in which other bodies are looked for.
+const MOST_BALLS: usize = 16;
+/// How far inside of a ball's surface what it hides must be, as a part of its radius: more than f32 loses.
+const ROOM: f64 = 1e-5;
+
+/// Boxes around the bodies of a group that stand still.
+#[derive(Debug, Default)]
+pub(crate) struct StandingBodies {
+    all: Hierarchy,
+    /// What is left without those that balls hide, if any are.
+    outside: Option<Outside>,
+}
+
+/// The bodies that are seen from outside of balls.
+#[derive(Debug)]
+struct Outside {
+    /// Balls that hide others, of these centres and radii.
+    balls: Vec<Ball>,
+    hierarchy: Hierarchy,
+}
+
+/// A ball in the rest frame of the group.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Ball {
+    middle: DVec3,
+    radius: f64,
+}
+
+impl StandingBodies {
+    /// Takes those of the bodies of `group`, with all solids and capsules of the scene.
+    pub fn new(
+        group: &PreparedGroup,
+        bodies: &[PreparedBody],
+        solids: &[Solid],
+        capsules: &[Capsule],
+    ) -> Self {
+        let still = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
+        let first = first_in_their_places(still.collect(), solids);
+        let standing = || first.iter().copied();
+        let extent = &group.extent;
+        let boxes = |body: &PreparedBody| {
+            pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
+        };
+        let all = Hierarchy::new(standing().flat_map(boxes), extent.middle);
+        let around = |body: &PreparedBody| Ball::around(&solids[body.number]);
+        let mut balls: Vec<_> =
+            standing().filter(|body| matches!(body.shape, Shape::Sphere { .. })).map(around).collect();
+        balls.sort_by(|one, other| other.radius.total_cmp(&one.radius));
+        balls.truncate(MOST_BALLS);
+        balls.retain(|ball| standing().any(|body| ball.hides(&around(body))));
+        let is_outside = |body: &&PreparedBody| !balls.iter().any(|ball| ball.hides(&around(body)));
+        let outside = (!balls.is_empty())
+            .then(|| Hierarchy::new(standing().filter(is_outside).flat_map(boxes), extent.middle));
+        Self { all, outside: outside.map(|hierarchy| Outside { balls, hierarchy }) }
+    }
+
+    /// Returns the boxes of what may be seen by an `eye` in the rest frame of the group.
+    pub fn seen_from(&self, eye: DVec3) -> &Hierarchy {
+        let is_outside = |outside: &&Outside| !outside.balls.iter().any(|ball| ball.holds(eye));
+        self.outside.as_ref().filter(is_outside).map_or(&self.all, |outside| &outside.hierarchy)
+    }
+}
+
+/// Returns those of `bodies` that are not the same in shape and place as an earlier one, in any order.
+fn first_in_their_places<'a>(mut bodies: Vec<&'a PreparedBody>, solids: &[Solid]) -> Vec<&'a PreparedBody> {
+    let place = |body: &PreparedBody| {
+        let Ball { middle, radius } = Ball::around(&solids[body.number]);
+        (middle.to_array().map(f64::to_bits), radius.to_bits(), body.number)
+    };
+    bodies.sort_by_key(|body| place(body));
+    let triangles = |body: &PreparedBody| body.triangles.as_ref().map(Arc::as_ptr);
+    bodies.dedup_by(|next, first| {
+        (next.shape, next.turn) == (first.shape, first.turn) && triangles(next) == triangles(first)
+    });
+    bodies
+}
+
+impl Ball {
+    fn around(solid: &Solid) -> Self {
+        Self { middle: solid.center(), radius: solid.bounding_radius() }
+    }
+
+    /// Whether all of another ball is well inside of this one.
+    fn hides(&self, other: &Self) -> bool {
+        other.radius + self.middle.distance(other.middle) < self.radius * (1.0 - ROOM)
+    }
+
+    /// Whether a place is in it, or about at its surface.
+    fn holds(&self, place: DVec3) -> bool {
+        self.middle.distance(place) <= self.radius * (1.0 + ROOM)
+    }
+}
