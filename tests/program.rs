@@ -3,6 +3,7 @@
 mod accuracy;
 mod cli;
 mod conformal;
+mod documents;
 mod framing;
 mod layers;
 mod lessons;

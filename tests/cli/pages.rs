@@ -3,26 +3,12 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
 use super::{shell, words};
-
-/// Every page that is written by hand, with its path from the root.
-fn pages() -> Vec<(PathBuf, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut paths: Vec<PathBuf> = fs::read_dir(root.join("docs"))
-        .expect("a folder")
-        .map(|entry| entry.expect("an entry").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
-        .collect();
-    let others = ["README.md", "CONTRIBUTING.md", "assets/README.md", "assets/lessons/README.md"];
-    paths.extend(others.map(|name| root.join(name)));
-    paths.extend(["assets/scenes/README.md", "fuzz/README.md"].map(|name| root.join(name)));
-    paths.sort();
-    paths.into_iter().map(|path| (path.clone(), fs::read_to_string(path).expect("a page"))).collect()
-}
+use crate::documents::{blocks, pages, run_blocks};
 
 #[test]
 #[cfg_attr(not(unix), ignore = "the examples are for a Unix shell")]
@@ -42,17 +28,19 @@ fn every_example_prints_what_is_shown() {
     assert!(examples >= 3, "{examples}");
 }
 
+/// Pictures of the window are compared where there is a graphics device: in the tests of the window.
+#[test]
+#[cfg_attr(not(unix), ignore = "the examples are for a Unix shell")]
+fn every_block_of_commands_runs_and_gives_the_pictures_shown() {
+    let count = run_blocks(|block| !block.contains("--screenshot"));
+    assert!(count >= 8, "{count}");
+}
+
 /// Commands of `gamow` that the shell blocks of `page` show, each in one line; loops fill in a number.
-fn commands(page: &str) -> impl Iterator<Item = String> {
-    let blocks = page.split("```sh\n").skip(1).filter_map(|block| Some(block.split_once("```")?.0));
-    blocks.flat_map(|block| {
-        let lines = block.replace("\\\n", " ").replace("$T", "2");
-        lines
-            .lines()
-            .map(|line| line.trim().to_owned())
-            .filter(|line| line.starts_with("gamow "))
-            .collect::<Vec<_>>()
-    })
+fn commands(page: &str) -> Vec<String> {
+    let blocks = ["sh", "shell"].into_iter().flat_map(|language| blocks(page, language));
+    let lines = blocks.map(|block| block.replace("\\\n", " ").replace("$T", "2")).collect::<String>();
+    lines.lines().map(str::trim).filter(|line| line.starts_with("gamow ")).map(str::to_owned).collect()
 }
 
 /// Help is asked for last, so that the parser has accepted everything before it, and nothing is drawn.
@@ -144,6 +132,21 @@ fn every_link_leads_to_a_file_or_a_heading() {
 }
 
 #[test]
+fn the_index_and_the_site_have_every_page() {
+    let index = include_str!("../../docs/README.md");
+    let site = include_str!("../../mkdocs.yml");
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/docs"));
+    for (path, _) in pages().into_iter().filter(|(path, _)| path.parent() == Some(folder)) {
+        let name = path.file_name().expect("a file").to_string_lossy();
+        assert!(
+            name == "README.md" || index.contains(&format!("({name})")),
+            "{name} is not in docs/README.md"
+        );
+        assert!(site.contains(&format!("- {name}\n")), "{name} is not in mkdocs.yml");
+    }
+}
+
+#[test]
 fn the_readme_is_read_in_minutes() {
     let readme = include_str!("../../README.md");
     let count = readme.split_whitespace().count();
@@ -151,4 +154,18 @@ fn the_readme_is_read_in_minutes() {
     for command in ["cargo run --release", "cargo test --workspace"] {
         assert!(readme.lines().any(|line| line == command), "{command}");
     }
+}
+
+/// Gamow is cited by the version that there is.
+#[test]
+fn the_citation_names_this_version() {
+    let version = env!("CARGO_PKG_VERSION");
+    assert!(include_str!("../../docs/cite.md").contains(&format!("version = {{{version}}}")));
+    assert!(include_str!("../../CITATION.cff").lines().any(|line| line == format!("version: {version}")));
+}
+
+#[test]
+fn the_changelog_is_short() {
+    let count = include_str!("../../CHANGELOG.md").split_whitespace().count();
+    assert!(count <= 400, "{count} words");
 }

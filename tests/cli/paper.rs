@@ -12,6 +12,7 @@ fn the_paper_is_reproduced_whole() {
     run(gamow().args(["paper", "--out"]).arg(&out), b"").text();
 
     let figures = [
+        "construction",
         "phi",
         "phi-difference",
         "theta",
@@ -53,7 +54,7 @@ fn the_paper_is_reproduced_whole() {
         "| largest delta-theta, rad | 0.19 | 0.2240 | 0.0045 | 0.3219 |",
         "| zeros of delta-theta, T | two, the later at 0.72 | 0.5667, 0.7228 | 0.5043, 0.7228 | 0.7228 |",
         "| time between these zeros as beta tends to 1 | tends to 0 | 0.1398 | 0.2025 | one zero |",
-        "| delta-phi | beta | 0.901(5) | 0.9000 |",
+        "| 2, delta-phi | beta | 0.901(5) | 0.9000 |",
         "| joint | z | - | 2.0000 |",
         "| z | 2.01 | 0.06 | 0.08 | 2.00(8) |",
         "| paper | 0.0050 | 0.050 | 0.070 | 1 : 10 : 14 |",
@@ -64,6 +65,14 @@ fn the_paper_is_reproduced_whole() {
     for row in rows {
         assert!(report.contains(row), "{row} is missing from\n{report}");
     }
+    // The paper has 15 figures and 3 tables.
+    let numbers: Vec<&str> =
+        report.split("![Fig. ").skip(1).filter_map(|rest| Some(rest.split_once(". ")?.0)).collect();
+    assert_eq!(numbers, (1..=15).map(|number| number.to_string()).collect::<Vec<_>>());
+    for table in ["\nTable 1, ", "\n| 2, delta-phi | ", "\n| 3, delta-theta | "] {
+        assert!(report.contains(table), "{table}");
+    }
+    assert_the_construction_is_two_light_rays(&out);
     // What was found comes first.
     let places = ["1. **Parallax", "2. **The method", "3. **The paper's", "## Numbers", "## Errata"]
         .map(|part| report.find(part));
@@ -97,5 +106,17 @@ fn assert_the_bicycle_can_be_worked_out_again(out: &Path) {
         for (ours, seen) in table.column(name).iter().zip(&seen) {
             assert!((ours - seen).abs() < 1e-12 * (1.0 + seen.abs()), "{name}: {ours} is not {seen}");
         }
+    }
+}
+
+/// Both events of Fig. 1 lie on the point's world line, and their light arrives at T.
+fn assert_the_construction_is_two_light_rays(out: &Path) {
+    let csv = fs::read_to_string(out.join("construction.csv")).expect("it is there");
+    let table = Table::parsed(&csv);
+    let [eye, x, distance, t, time] =
+        ["eye_x", "event_x", "event_distance", "event_t", "T"].map(|name| table.column(name));
+    for i in 0..2 {
+        assert!((x[i] - 0.9 * t[i]).abs() < 1e-12, "it passes x = 0 at t = 0");
+        assert!(((x[i] - eye[i]).hypot(distance[i]) - (time[i] - t[i])).abs() < 1e-12, "light goes at c");
     }
 }

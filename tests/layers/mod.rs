@@ -63,6 +63,26 @@ fn every_file_of_tests_is_in_a_program() {
     }
 }
 
+/// The pictures of rows in the description of the architecture are the tables of houses, from top to bottom.
+#[test]
+fn the_architecture_is_drawn_as_it_is() {
+    let page = include_str!("../../docs/architecture.md");
+    let pictures = page.split("```text\n").skip(1).filter_map(|rest| rest.split("```").next());
+    let is_room = |word: &&str| word.ends_with('/') || word.contains(".rs");
+    let row = |line: &'static str| line.split_whitespace().filter(is_room).collect::<BTreeSet<_>>();
+    let rows: Vec<BTreeSet<&str>> = pictures.flat_map(str::lines).map(row).collect();
+    for table in PROGRAM.tables.iter().chain(RENDERERS.tables) {
+        let mut rows = rows.iter();
+        for floor in table.floors.iter().filter(|floor| floor[0] != "lib.rs") {
+            let is_floor = |row: &&BTreeSet<&str>| {
+                row.len() == floor.len()
+                    && floor.iter().all(|room| row.iter().any(|drawn| drawn.trim_end_matches('/') == *room))
+            };
+            assert!(rows.any(|row| is_floor(&row)), "no row shows {floor:?} below those above it");
+        }
+    }
+}
+
 #[track_caller]
 fn assert_kept(house: &House) {
     let name = house.name;

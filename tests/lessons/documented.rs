@@ -1,6 +1,6 @@
 //! The format's description: its examples are lessons, and its table of values is the program's.
 
-use gamow::lesson::{AnswerKind, Course, Lesson, values};
+use gamow::lesson::{AnswerKind, Course, Lesson, Library, values};
 
 const DESCRIPTION: &str = include_str!("../../assets/lessons/README.md");
 
@@ -58,5 +58,28 @@ fn the_table_of_values_is_that_of_the_program() {
             written, rows,
             "`UPDATE_SNAPSHOTS=1 cargo test --test program the_table_of_values` writes it"
         );
+    }
+}
+
+/// The rows of a table: its cells, without their marks.
+fn cells(page: &str) -> Vec<Vec<&str>> {
+    let rows = page.lines().filter(|line| line.starts_with("| ")).map(|row| {
+        let cells = row.trim_matches('|').split('|');
+        cells.map(|cell| cell.trim().trim_matches('`')).collect::<Vec<_>>()
+    });
+    rows.filter(|cells| cells[0].parse::<u32>().is_ok()).collect()
+}
+
+#[test]
+fn the_tables_of_lessons_are_those_of_the_program() {
+    let library = Library::own();
+    let lessons: Vec<_> = library.all().iter().filter(|lesson| !lesson.is_a_preset()).collect();
+    let lists = cells(include_str!("../../docs/lessons.md"));
+    let teachers = cells(include_str!("../../docs/for-teachers.md"));
+    assert_eq!([lists.len(), teachers.len()], [lessons.len(); 2]);
+    for ((lesson, list), teacher) in lessons.into_iter().zip(&lists).zip(&teachers) {
+        let [order, minutes] = [lesson.order, lesson.minutes].map(|number| number.to_string());
+        assert_eq!(list[..3], [&order, &lesson.title, &minutes]);
+        assert_eq!([teacher[0], teacher[1], teacher[4]], [&order, &lesson.name, &minutes]);
     }
 }

@@ -15,6 +15,9 @@ mod automatic;
 mod comparison;
 mod controls;
 mod device;
+mod documented;
+#[path = "../documents/mod.rs"]
+mod documents;
 mod faults;
 mod files;
 mod first_sight;
@@ -72,6 +75,7 @@ fn main() -> ExitCode {
         automatic::TESTS,
         comparison::TESTS,
         controls::TESTS,
+        documented::TESTS,
         faults::TESTS,
         files::TESTS,
         first_sight::TESTS,

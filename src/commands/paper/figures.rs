@@ -17,21 +17,39 @@ const TIMES: [f64; 2] = [-2.0, 5.0];
 const SAMPLES: usize = 701;
 /// The paper's speeds, and the colours it gives them, but safe for colour-blind eyes.
 const SPEEDS: [(f64, &str); 3] = [(0.9, BLACK), (0.7, VERMILION), (0.5, BLUE)];
+/// Where the middle between the eyes sees the point whose two events are drawn.
+const CONSTRUCTION_PLACE: f64 = -0.8;
 /// Places where the crank of the two-dimensional bicycle is seen.
 const PLACES: [f64; 3] = [-7.0, 0.0, 3.0];
 
-/// The figures of curves and of the bicycle: names of their files, and what they show.
-pub const CURVES: [(&str, &str); 9] = [
-    ("phi", "Azimuth seen by each eye, y = z = 0.5, d = 0.3, beta = 0.9"),
-    ("phi-difference", "Delta-phi at beta = 0.9, 0.7, 0.5"),
-    ("theta", "Elevation seen by each eye"),
-    ("theta-difference", "Delta-theta at beta = 0.9, 0.7, 0.5"),
-    ("bicycle-2d", "The two-dimensional bicycle"),
-    ("bicycle-2d-one-eye", "As one eye sees it, beta = 0.9"),
-    ("bicycle-2d-two-eyes", "As the left eye, the right eye, and both see it, beta = 0.9, d = 0.3"),
-    ("fit-phi", "Delta-phi of the tracked point and its fit"),
-    ("fit-theta", "Delta-theta of the tracked point and its fit"),
+/// A figure of the paper that is drawn as curves.
+#[derive(Debug)]
+pub struct CurveFigure {
+    /// Number of the figure in the paper.
+    pub number: u8,
+    /// Name of the figure's files.
+    pub name: &'static str,
+    /// Caption of the figure.
+    pub caption: &'static str,
+}
+
+/// The figures of curves and of the two-dimensional bicycle.
+pub const CURVES: [CurveFigure; 10] = [
+    figure(1, "construction", "One point, two eyes: the events that they receive at one time"),
+    figure(2, "phi", "Azimuth seen by each eye, y = z = 0.5, d = 0.3, beta = 0.9"),
+    figure(3, "phi-difference", "Delta-phi at beta = 0.9, 0.7, 0.5"),
+    figure(4, "theta", "Elevation seen by each eye"),
+    figure(5, "theta-difference", "Delta-theta at beta = 0.9, 0.7, 0.5"),
+    figure(6, "bicycle-2d", "The two-dimensional bicycle"),
+    figure(7, "bicycle-2d-one-eye", "As one eye sees it, beta = 0.9"),
+    figure(8, "bicycle-2d-two-eyes", "As the left eye, the right eye, and both see it, beta = 0.9, d = 0.3"),
+    figure(14, "fit-phi", "Delta-phi of the tracked point and its fit"),
+    figure(15, "fit-theta", "Delta-theta of the tracked point and its fit"),
 ];
+
+const fn figure(number: u8, name: &'static str, caption: &'static str) -> CurveFigure {
+    CurveFigure { number, name, caption }
+}
 
 /// A column of a CSV file.
 pub type Column = (String, Vec<f64>);
@@ -65,6 +83,7 @@ pub fn write_text(folder: &Path, name: &str, text: &str) -> anyhow::Result<()> {
 
 /// Every figure of this file.
 pub fn write_all(folder: &Path) -> anyhow::Result<()> {
+    write_construction(folder)?;
     write_angles(folder, "phi", "azimuth phi, rad", |seen| [seen.primary.phi(), seen.secondary.phi()])?;
     let elevations = |seen: &Disparity| [seen.primary.theta(), seen.secondary.theta()];
     write_angles(folder, "theta", "elevation theta, rad", elevations)?;
@@ -73,6 +92,38 @@ pub fn write_all(folder: &Path) -> anyhow::Result<()> {
     write_resting_bicycle(folder)?;
     write_bicycle_for_one_eye(folder)?;
     write_bicycle_for_two_eyes(folder)
+}
+
+/// Two eyes and the two events that they receive of one point at one time, in the plane that holds them all.
+fn write_construction(folder: &Path) -> anyhow::Result<()> {
+    let setup = Setup::SECTION_3;
+    let time = setup.time_when_seen_at(CONSTRUCTION_PLACE)?;
+    let seen = setup.seen(Model::Exact, time)?;
+    let half = 0.5 * setup.separation;
+    let eyes = [-half, half];
+    let received = [&seen.primary, &seen.secondary];
+    let distance = (setup.y * setup.y + setup.z * setup.z).sqrt();
+    let events = [0, 1].map(|eye| [eyes[eye] + received[eye].position[0], distance]);
+    let light = |eye: usize, name, colour| Line::solid(name, colour, vec![events[eye], [eyes[eye], 0.0]]);
+    let lines = vec![
+        Line::solid("path of the point", BLACK, vec![[-1.5, distance], [0.5, distance]])
+            .with(LineStroke::Line(Dash::Dashed(7))),
+        light(0, "light to the left eye", BLUE),
+        light(1, "light to the right eye", VERMILION),
+        Line::solid("emission events", BLACK, events.to_vec()).with(LineStroke::Dots),
+        eye_dots(&eyes),
+    ];
+    let title = format!("y = z = 0.5, d = 0.3, beta = 0.9, T = {time:.2}");
+    let labels = ["x", "distance from the line of the eyes"];
+    let panel = Panel { equal_scales: true, width: 720.0, ..Panel::new(title, labels, lines) };
+    let columns = [
+        ("eye_x".to_owned(), eyes.to_vec()),
+        ("event_x".to_owned(), events.map(|[x, _]| x).to_vec()),
+        ("event_distance".to_owned(), vec![distance; 2]),
+        ("event_t".to_owned(), received.map(|sighting| sighting.retarded_time).to_vec()),
+        ("T".to_owned(), vec![time; 2]),
+    ];
+    write(folder, "construction", &[panel], &columns)
 }
 
 /// An angle of both eyes, in the published and in the exact model.

@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use super::figures::CURVES;
+use super::figures::{CURVES, CurveFigure};
 use super::fits::{self, ModelFits};
 use super::numbers::PaperNumber;
 use super::stereo::{Figure, StereoFrame};
@@ -54,12 +54,18 @@ One value stands for all models where they agree.
 const FITS: &str = "
 ## Fits
 
-The tracked point: beta = 0.9, y = 3, z = 2, d = 0.1. The paper's uncertainties are not those of an experiment; it fits a
+Table 1, the tracked point:
+
+| beta | y | z | d |
+|---|---|---|---|
+| 0.9 | 3 | 2 | 0.1 |
+
+Tables 2 (delta-phi) and 3 (delta-theta), with the means of both and a joint fit. The paper's uncertainties are not those of an experiment; it fits a
 deterministic simulation and does not say what its residuals are. So we fit curves without noise, which give the truth back
 (to nine digits; four are shown), and curves with normal noise of 2 % of their range (240 samples, 1,000 bootstrap replicates).
 In parentheses: the uncertainty of the last digits.
 
-| fit | | paper | published, no noise | published, 2 % noise | exact, no noise | exact, 2 % noise |
+| table, fit | | paper | published, no noise | published, 2 % noise | exact, no noise | exact, 2 % noise |
 |---|---|---|---|---|---|---|
 ";
 
@@ -98,7 +104,7 @@ const ERRATA: &str = "
 
 ## Figures
 
-Each is an SVG file, with its numbers in a CSV file of the same name. In those of the bicycle x is measured from the eye, as
+They have the paper's numbers. Each is an SVG file, with its numbers in a CSV file of the same name. In those of the bicycle x is measured from the eye, as
 `gamow eval` does (in the published model from the left one), and in the drawings from the middle between the eyes.
 ";
 
@@ -119,10 +125,12 @@ impl fmt::Display for PaperReport<'_> {
         self.write_errors(f)?;
         self.write_bias(f)?;
         f.write_str(ERRATA)?;
-        for (name, caption) in CURVES {
-            writeln!(f, "\n![{caption}]({name}.svg)")?;
-        }
-        self.write_frames(f)
+        let first_frames = self.frames.first().map_or(0, |(figure, _)| figure.number);
+        let (before, after) = CURVES.split_at(CURVES.partition_point(|figure| figure.number < first_frames));
+        write_curves(f, before)?;
+        self.write_frames(f)?;
+        writeln!(f, "\n### Fitted curves")?;
+        write_curves(f, after)
     }
 }
 
@@ -171,8 +179,8 @@ impl PaperReport<'_> {
 
     fn write_fits(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let paper = [
-            ("delta-phi", ["0.901(5)", "2.99(5)", "2.02(7)"]),
-            ("delta-theta", ["0.90(1)", "3.02(6)", "1.99(9)"]),
+            ("2, delta-phi", ["0.901(5)", "2.99(5)", "2.02(7)"]),
+            ("3, delta-theta", ["0.90(1)", "3.02(6)", "1.99(9)"]),
             ("weighted mean", ["0.90(1)", "3.00(5)", "2.00(8)"]),
             ("joint", ["-", "-", "-"]),
         ];
@@ -249,10 +257,10 @@ impl PaperReport<'_> {
     fn write_frames(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "\n## Stereo frames\n\nLeft eye on the left. Each picture is a PNG file, too, made by the command below it."
+            "\n### Stereo frames\n\nLeft eye on the left. Each picture is a PNG file, too, made by the command below it."
         )?;
         for (figure, frames) in &self.frames {
-            writeln!(f, "\n![{}]({}.svg)\n", figure.caption, figure.name)?;
+            writeln!(f, "\n![Fig. {}. {}]({}.svg)\n", figure.number, figure.caption, figure.name)?;
             for frame in frames {
                 writeln!(
                     f,
@@ -265,6 +273,12 @@ impl PaperReport<'_> {
         }
         Ok(())
     }
+}
+
+fn write_curves(f: &mut fmt::Formatter<'_>, figures: &[CurveFigure]) -> fmt::Result {
+    figures.iter().try_for_each(|figure| {
+        writeln!(f, "\n![Fig. {}. {}]({}.svg)", figure.number, figure.caption, figure.name)
+    })
 }
 
 /// The paper's uncertainties of beta, y and z from delta-phi.

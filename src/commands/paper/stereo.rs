@@ -18,6 +18,8 @@ use crate::studio::{Sheet, Studio};
 /// A row of frames, as one figure of the paper shows them.
 #[derive(Debug)]
 pub struct Figure {
+    /// Number of the figure in the paper.
+    pub number: u8,
     /// Name of the figure's files.
     pub name: &'static str,
     /// Caption of the figure.
@@ -34,36 +36,41 @@ pub struct Figure {
 /// describes.
 pub const FIGURES: [Figure; 5] = [
     Figure {
+        number: 9,
         name: "stereo-at-rest",
-        caption: "the cyclist itself, as cameras that ride along see it",
+        caption: "The cyclist itself, as cameras that ride along see it",
         preset: "abreast",
         at_rest: true,
         places: &[0.0],
     },
     Figure {
+        number: 10,
         name: "stereo-approaching",
-        caption: "approaching at beta = 0.9",
+        caption: "Approaching at beta = 0.9",
         preset: "approaching",
         at_rest: false,
         places: &[-12.0, -8.0, -5.0],
     },
     Figure {
+        number: 11,
         name: "stereo-abreast",
-        caption: "abreast at beta = 0.9",
+        caption: "Abreast at beta = 0.9",
         preset: "abreast",
         at_rest: false,
         places: &[-2.0, -0.5, 0.5],
     },
     Figure {
+        number: 12,
         name: "stereo-abreast-0.6",
-        caption: "abreast at beta = 0.6",
+        caption: "Abreast at beta = 0.6",
         preset: "abreast-0.6",
         at_rest: false,
         places: &[-2.0, -0.5, 0.5],
     },
     Figure {
+        number: 13,
         name: "stereo-receding",
-        caption: "receding at beta = 0.9",
+        caption: "Receding at beta = 0.9",
         preset: "receding",
         at_rest: false,
         places: &[1.5, 3.0, 5.0],
