@@ -122,6 +122,9 @@ pub enum SceneProblem {
     /// A scene of more bodies than one may have.
     #[error("a scene has at most {most} bodies, and here there are more", most = sizes::BODIES)]
     ManyBodies,
+    /// A scene of more bodies that turn than one may have.
+    #[error("a scene has at most {most} bodies that turn, and here there are more", most = sizes::TURNING_BODIES)]
+    ManyTurning,
     /// A coordinate that is not finite, or too far out to draw.
     #[error("{key} = {value} must lie between -1e6 and 1e6")]
     OutOfRange {

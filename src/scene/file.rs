@@ -113,6 +113,8 @@ fn forward_most(bodies: &[Body]) -> Option<[f64; 3]> {
 /// first.
 fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec<SceneGroup>), Located> {
     let mut all = objects(top, changes)?;
+    let mut room = Room::default();
+    room.take(&all, top.span.clone())?;
     let name = only_include(&all).unwrap_or(name).to_owned();
     let mut groups = vec![SceneGroup { name, motion: Motion::Scene, first: 0, count: all.len() }];
     let tables = top.tables("group", "a group")?;
@@ -123,10 +125,8 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
         table.check_keys(&["name", "beta", "include", "wheel", "model", "object"])?;
         let (name, motion) = (table.needed_string("name")?.to_owned(), motion(&table)?);
         let own = objects(&table, changes)?;
-        if all.len() + own.len() > sizes::BODIES {
-            return Err(Located { span: table.span, problem: SceneProblem::ManyBodies });
-        }
         groups.push(SceneGroup { name, motion, first: all.len(), count: own.len() });
+        room.take(&own, table.span)?;
         all.extend(own);
     }
     Ok((all, groups))
@@ -146,15 +146,35 @@ fn motion(group: &Table) -> Result<Motion, Located> {
     Ok(Motion::Own(velocity))
 }
 
+/// The bodies that a scene has so far.
+#[derive(Default)]
+struct Room {
+    bodies: usize,
+    turning: usize,
+}
+
+impl Room {
+    /// Takes the room for further `objects`, which are at `span`.
+    fn take(&mut self, objects: &[Object], span: Range<usize>) -> Result<(), Located> {
+        self.bodies += objects.len();
+        self.turning += objects.iter().filter(|object| object.body.displacing_spin().is_some()).count();
+        let problem = match self {
+            Self { bodies, .. } if *bodies > sizes::BODIES => SceneProblem::ManyBodies,
+            Self { turning, .. } if *turning > sizes::TURNING_BODIES => SceneProblem::ManyTurning,
+            _ => return Ok(()),
+        };
+        Err(Located { span, problem })
+    }
+}
+
 /// Returns all objects of a group: the included ones first, then its wheels and its models.
 fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
-    let mut objects = Vec::new();
+    let (mut objects, mut room) = (Vec::new(), Room::default());
     let includes = group.tables("include", "an include")?;
     let mut add = |span: &Range<usize>, more: Vec<Object>| {
+        room.take(&more, span.clone())?;
         objects.extend(more);
-        let span = span.clone();
-        let is_full = objects.len() > sizes::BODIES;
-        if is_full { Err(Located { span, problem: SceneProblem::ManyBodies }) } else { Ok(()) }
+        Ok(())
     };
     for (include, label) in includes.iter().zip(labels(&includes)) {
         add(&include.span, included(include, &label, changes)?)?;

@@ -598,6 +598,13 @@ fn names_bodies_and_groups_have_limits() {
     let bodies = format!("name = \"x\"\n{}", format!("{ball}repeat = 1000\n").repeat(1001));
     let told = error(&bodies);
     assert_eq!(told, "balls.toml:5002: a scene has at most 1000000 bodies, and here there are more");
+    let wheel = |i: u32| {
+        let sizes = "radius = 1\ntyre = 0.1\nrim = 0.1\naxle = 0.3\nhub_radius = 0.1\nspokes = 60\nspoke_radius = 0.02\n";
+        format!("[[wheel]]\nname = \"{i}\"\nhub = [{i}, 4, 0]\n{sizes}rolls = true\n")
+    };
+    let wheels = |count| format!("name = \"x\"\n{}", (0..count).map(wheel).collect::<String>());
+    let told = error(&wheels(900));
+    assert!(told.ends_with("a scene has at most 50000 bodies that turn, and here there are more"), "{told}");
 }
 
 #[test]

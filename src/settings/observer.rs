@@ -37,7 +37,8 @@ impl Settings {
         Ok(self.furnished(Scene::open(&self.scene)?))
     }
 
-    /// Returns `scene` as it is shown: without surroundings that are left out, with the bicycle that is ridden.
+    /// Returns `scene` as it is shown: without surroundings that are left out, with the bicycle that is
+    /// ridden.
     #[must_use]
     pub fn furnished(&self, scene: Scene) -> Scene {
         let scene = if self.light.surroundings { scene } else { scene.without_surroundings() };

@@ -27,6 +27,9 @@ pub const NAME_LETTERS: usize = 100;
 pub const GROUPS: usize = 200;
 /// Maximum number of bodies in a scene; a million of them take 650 MB of memory.
 pub const BODIES: usize = 1_000_000;
+/// Maximum number of bodies that turn out of their places: no box holds one still, so that each costs a
+/// picture a look.
+pub const TURNING_BODIES: usize = 50_000;
 /// Greatest length of a file of a model, bytes.
 pub const MODEL_BYTES: u64 = 512 << 20;
 /// Greatest length of another file that is kept whole, bytes, such as a table that is fitted in the window.

@@ -76,7 +76,7 @@ def test_arrays_that_cannot_be_filled_are_refused():
     (gamow.curve, [], {"from_": 5, "to": 3}, "from_=5 must be below to=3"),
     (gamow.State, [], {"gazze": 3}, "there is no keyword `gazze`: did you mean `gaze`?"),
     (gamow.State().replace, [], {"samplse": 3}, "there is no keyword `samplse`: did you mean `samples`?"),
-    (gamow.measure, ["x.exr"], {"objekt": 3}, "there is no keyword `objekt`: did you mean `object`?"),
+    (gamow.measure, ["x.exr"], {"objects": 3}, "there is no keyword `objects`: did you mean `object`?"),
     (gamow.fit, [{}], {"bootstrapp": 3}, "there is no keyword `bootstrapp`: did you mean `bootstrap`?"),
     (gamow.curve, [], {"samples": 1e9}, "samples = 1000000000: must be at most 10000000"),
     (gamow.curve, [], {"beta": [0.1, 0.2]}, "beta = 0.1,0.2: not a number"),
