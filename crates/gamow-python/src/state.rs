@@ -23,8 +23,8 @@ use crate::{drawing, tables};
 ///         measurements (.exr) by `gamow render`; a link (gamow:?...); TOML text; a dict of settings in
 ///         sections as in TOML; a Scene; another State. The defaults without it.
 ///     **settings: the flags of `gamow render`, on top: State('street', beta=0.6, size=(640, 480),
-///         gaze=(60, 0)). Their names are the keys of the state. Lengths and times share one unit, that of the
-///         scene (c = 1); angles are degrees, or Quantities.
+///         gaze=(60, 0)). Their names are the keys of the state. Lengths and times share one unit, that of
+///         the scene (c = 1); angles are degrees, or Quantities.
 ///
 /// A setting is read as state.beta or by its name in brackets, all of them as dict(state); None stands for
 /// one that is found out from the others. States can be compared, hashed, pickled and copied.
