@@ -11,6 +11,8 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="a signal to a process o
 # Python's own handler must be there throughout, and the session must be usable afterwards.
 SESSION = """
 import _thread, functools, os, pathlib, signal, tempfile, threading, time
+# What a shell has started in the background ignores interrupts, and so do its children.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 import gamow
 import numpy as np
 
