@@ -13,7 +13,7 @@ pub struct LeftOut {
     pub sample: usize,
     /// Number of the reading's curve: 0 for dphi, 1 for dtheta.
     pub curve: usize,
-    /// The line of the file in which it stands, if it is of a file.
+    /// Number of the line in the file of readings, if there is one.
     line: Option<u64>,
     /// When it was taken.
     pub time: f64,

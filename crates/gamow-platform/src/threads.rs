@@ -20,7 +20,7 @@ pub fn sleep(duration: Duration) {
     std::thread::sleep(duration);
 }
 
-/// Does `work` in a thread of its own, and `meanwhile` on this one every `period` until that is done.
+/// Does `work` in a thread of its own. Until it ends, calls `meanwhile` on this thread every `period`.
 pub fn beside<T: Send>(work: impl FnOnce() -> T + Send, period: Duration, mut meanwhile: impl FnMut()) -> T {
     std::thread::scope(|scope| {
         let (alive, ended) = mpsc::channel::<()>();

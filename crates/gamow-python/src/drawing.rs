@@ -14,10 +14,10 @@ use pyo3::types::{PyBytes, PyDict, PyDictMethods};
 use crate::errors::of_command;
 use crate::threads::interruptible;
 
-/// What is drawn: settings, and their scene if that is in no file.
+/// Settings to draw, and their scene if that is in no file.
 #[derive(Clone, Copy)]
 pub struct Shown<'a> {
-    /// The settings.
+    /// Settings of the picture.
     pub settings: &'a Settings,
     /// The scene, in place of that which the settings name.
     pub own_scene: Option<&'a Scene>,

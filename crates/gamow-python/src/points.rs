@@ -154,7 +154,7 @@ fn of_input(error: &dyn Display) -> String {
     twice.map_or(text, |(_, rest)| rest).to_owned()
 }
 
-/// The most rows that are filled at once, before it is asked whether the others are wanted.
+/// Greatest number of rows that are filled between two looks at whether the others are wanted.
 const PART: usize = 1 << 17;
 
 /// Fills one part of the rows after the other.

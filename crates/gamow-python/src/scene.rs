@@ -46,7 +46,7 @@ enum SceneSource {
 pub struct OwnScene {
     /// The scene as a file, TOML.
     pub text: String,
-    /// The scene itself.
+    /// Scene that the text describes.
     pub scene: gamow::scene::Scene,
 }
 

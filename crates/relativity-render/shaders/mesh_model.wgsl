@@ -66,6 +66,9 @@ fn weights_in(body: Body, place: vec3f) -> vec3f {
 }
 
 fn is_hole(fragment: Fragment, measure: Measure) -> bool {
+    if cutoff_at(u32(fragment.pattern.x), record_in(fragment)) == 0u {
+        return false;
+    }
     let there = standing(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim));
     return !is_solid(u32(fragment.pattern.x), record_in(fragment), weights_in(there.body, there.place));
 }

@@ -44,20 +44,26 @@ fn texture_at(
     return texture_colour(row, texel_at(row, rest.z), a + to_b * weights.y + to_c * weights.z, along * scale);
 }
 
+// The least opacity of a triangle's surface, in parts of 65535; 0 where it has no holes.
+fn cutoff_at(row: u32, record: u32) -> u32 {
+    let places = texel(row, record, 2u).w;
+    if places == 0u {
+        return 0u;
+    }
+    return texel_at(row, texel_at(row, places + 1u).z).z >> 16u;
+}
+
 // Whether there is a surface where the corners of a triangle have these weights: not in a hole of its
 // texture.
 fn is_solid(row: u32, record: u32, weights: vec3f) -> bool {
-    let places = texel(row, record, 2u).w;
-    if places == 0u {
-        return true;
-    }
-    let rest = texel_at(row, places + 1u);
-    let header = texel_at(row, rest.z);
-    let cutoff = header.z >> 16u;
+    let cutoff = cutoff_at(row, record);
     if cutoff == 0u {
         return true;
     }
+    let places = texel(row, record, 2u).w;
     let packed = texel_at(row, places);
+    let rest = texel_at(row, places + 1u);
+    let header = texel_at(row, rest.z);
     let a = bitcast<vec2f>(packed.xy);
     let place = a + (bitcast<vec2f>(packed.zw) - a) * weights.y + (bitcast<vec2f>(rest.xy) - a) * weights.z;
     let near = nearest_texels(header.w, header.xy, header.z, place);

@@ -290,8 +290,8 @@ impl Renderers {
         self.in_place_of_rays(method.on_gpu(view), scene, view)
     }
 
-    /// Draws `view` by the packets while `goes_on` is true, which is asked between tiles of 8 x 8 pixels: the
-    /// others have no opacity. `None` where this machine has no packets.
+    /// Draws `view` by the packets while `goes_on` is true, which is evaluated before each tile of 8 x 8
+    /// pixels: tiles that are not drawn have no opacity. `None` where this machine has no packets.
     #[must_use]
     pub fn by_packets_while(
         &self,

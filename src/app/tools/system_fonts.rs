@@ -59,7 +59,7 @@ pub struct SystemFonts {
     missing: Mutex<(BTreeSet<char>, bool)>,
 }
 
-/// A font's file.
+/// A file in a folder of fonts, which may turn out to be none.
 struct FontFile {
     path: PathBuf,
     /// Blocks of 256 characters of which it has some; none of what is no font.

@@ -17,7 +17,7 @@ const TIMES: [f64; 2] = [-2.0, 5.0];
 const SAMPLES: usize = 701;
 /// The paper's speeds, and the colours it gives them, but safe for colour-blind eyes.
 const SPEEDS: [(f64, &str); 3] = [(0.9, BLACK), (0.7, VERMILION), (0.5, BLUE)];
-/// Where the middle between the eyes sees the point whose two events are drawn.
+/// Place at which the middle between the eyes sees the point whose two events are drawn.
 const CONSTRUCTION_PLACE: f64 = -0.8;
 /// Places where the crank of the two-dimensional bicycle is seen.
 const PLACES: [f64; 3] = [-7.0, 0.0, 3.0];

@@ -19,13 +19,10 @@ use super::lines::{Lines, Problems};
 use super::materials::{Map, Material, Materials};
 use super::parts::{NamedModel, NamedPart};
 use super::text::text_of;
-use super::textures::Textures;
+use super::textures::{HALF_OPAQUE, Textures, cutoff};
 
 /// Paint of what has none.
 const WHITE: [f32; 3] = [1.0; 3];
-
-/// The least opacity of a picture at which there is a surface, in parts of 65535: one half.
-const HALF_OPAQUE: u16 = 32768;
 
 /// Reads the model in the bytes of an OBJ file.
 pub(super) fn model(bytes: &[u8], companions: &Companions<'_>) -> Result<NamedModel, String> {
@@ -76,7 +73,7 @@ impl ModelReader<'_> {
     /// Adds the triangles of a mesh of one material.
     fn add(&mut self, mesh: &Mesh, material: Option<&Material>) -> Result<(), String> {
         let map = material.and_then(|it| it.picture.as_ref()).filter(|_| !mesh.texcoord_indices.is_empty());
-        let cutoff = material.map_or(0, |it| self.cutoff(it));
+        let cutoff = material.map_or(0, |it| self.cutoff_of(it));
         let texture = map.map_or(RawModel::NO_TEXTURE, |map| self.texture(map, cutoff));
         // Beside a picture, black is what some programs write for no colour.
         let diffuse = material.and_then(|it| it.diffuse).filter(|it| map.is_none() || *it != [0.0; 3]);
@@ -107,11 +104,12 @@ impl ModelReader<'_> {
         Ok(())
     }
 
-    /// The cutoff of the texture of a `material`: half, where its opacity is said to be that of the material.
-    fn cutoff(&self, material: &Material) -> u16 {
+    /// Returns the cutoff of the texture of a `material`: one half where the library names the same picture
+    /// for the opacity, else 0.
+    fn cutoff_of(&self, material: &Material) -> u16 {
         let Some(mask) = &material.mask else { return 0 };
         if material.picture.as_ref().is_some_and(|picture| picture.file == mask.file) {
-            return HALF_OPAQUE;
+            return cutoff(HALF_OPAQUE);
         }
         let name = messages::excerpt(&mask.file);
         self.companions.remark(format!("the mask {name} is left out: only a picture's own opacity is read"));

@@ -11,6 +11,14 @@ use relativity_render::{RawModel, Wrap};
 use super::companions::Companions;
 use super::picture;
 
+/// The least opacity of a picture at which there is a surface, where a file does not say which.
+pub const HALF_OPAQUE: f32 = 0.5;
+
+/// Returns the cutoff of a texture with this least opacity, in parts of 65535.
+pub fn cutoff(least: f32) -> u16 {
+    (least * 65535.0).round() as u16
+}
+
 /// The textures so far, by what the file calls them.
 pub struct Textures<Key> {
     numbers: HashMap<Key, u32>,

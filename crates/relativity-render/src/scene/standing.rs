@@ -14,14 +14,14 @@ use crate::geometry::shape::Shape;
 
 /// Greatest number of balls, the largest of a group, in which other bodies are looked for.
 const MOST_BALLS: usize = 16;
-/// How far inside of a ball's surface what it hides must be, as a part of its radius: more than f32 loses.
+/// Least depth of hidden bodies below a ball's surface, as a part of its radius: more than f32 loses.
 const ROOM: f64 = 1e-5;
 
 /// Boxes around the bodies of a group that stand still.
 #[derive(Debug, Default)]
 pub(crate) struct StandingBodies {
     all: Hierarchy,
-    /// What is left without those that balls hide, if any are.
+    /// Bodies that no ball hides, if any ball hides others.
     outside: Option<Outside>,
 }
 

@@ -177,10 +177,12 @@ impl EyePictures {
             background.picture(ctx, request).map(|made| (made, Method::Reference))
         } else if picture.is_coarse(request) {
             let background = background.get_or_insert_with(|| Background::new(ctx));
-            background.picture(ctx, &request.for_packets()).map(|made| (made, Method::Packets))
+            background
+                .picture(ctx, &request.in_background_by(Method::Packets))
+                .map(|made| (made, Method::Packets))
         } else if request.refine && request.is_known_to_reference() {
             let background = background.get_or_insert_with(|| Background::new(ctx));
-            background.smoother(ctx, &request.for_reference()).map(|made| (made, method))
+            background.smoother(ctx, &request.in_background_by(Method::Reference)).map(|made| (made, method))
         } else {
             // Kept, since ending its thread would take until its picture is done.
             background.iter_mut().for_each(Background::stop);
@@ -211,7 +213,7 @@ impl EyePictures {
         index: usize,
         request: &Request,
     ) -> Option<ShownPicture> {
-        let request = request.for_reference();
+        let request = request.in_background_by(Method::Reference);
         let Self { render_state, gpu, pictures, backgrounds, drawings, .. } = self;
         let background = backgrounds[index].get_or_insert_with(|| Background::new(ctx));
         if !request.is_for_reference() {

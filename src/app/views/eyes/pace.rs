@@ -13,12 +13,12 @@ const COARSE_MS: f64 = 200.0;
 /// Greatest number of pixels, each way, that are drawn as one.
 const MOST: u32 = 32;
 
-/// How coarse pictures are, so that they are drawn in time.
+/// The coarseness at which pictures of a scene are drawn in time.
 #[derive(Debug, Default)]
 pub struct Pace {
     /// Scene that was drawn last.
     scene: Option<PreparedScene>,
-    /// How often the number of pixels was halved each way.
+    /// Number of times that the pixels were halved each way.
     halvings: u32,
 }
 

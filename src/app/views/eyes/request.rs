@@ -29,7 +29,7 @@ pub struct ShownPicture {
     /// only known to the mesh renderer, and one light cone for both eyes not to the rays; the packets stand
     /// in for these where the device cannot draw them, or has no room for a scene's models.
     pub method: Method,
-    /// How many pixels are one each way, as there was no time for more: else 1.
+    /// Number of pixels each way that are drawn as one, where there was no time for more: else 1.
     pub coarseness: u32,
 }
 
@@ -49,14 +49,9 @@ impl Request {
         Method::Reference.of_view(&self.view) == Method::Reference
     }
 
-    /// Returns the request with the reference as its method.
-    pub fn for_reference(&self) -> Self {
-        Self { method: Method::Reference, at_once: false, ..self.clone() }
-    }
-
-    /// Returns the request with the packets as its method.
-    pub fn for_packets(&self) -> Self {
-        Self { method: Method::Packets, at_once: false, ..self.clone() }
+    /// Returns the request for the background, with this `method`.
+    pub fn in_background_by(&self, method: Method) -> Self {
+        Self { method, at_once: false, ..self.clone() }
     }
 
     /// Returns the method that draws the view within the frame.

@@ -13,7 +13,7 @@ pub struct EyePicture {
     pub texture: TextureId,
     /// Request of the picture, how it was to be drawn, and how it was.
     drawn: Option<(Request, DrawnBy, Drawn)>,
-    /// How many pixels were one each way when it was last drawn within a frame.
+    /// [`Drawn::coarseness`] of the last drawing within a frame.
     pub coarseness: u32,
     /// Number of the picture's drawing among all.
     pub number: u64,
@@ -32,7 +32,7 @@ pub struct DrawnBy {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drawn {
     pub method: Method,
-    /// How many pixels are one each way, as there was no time for more: else 1.
+    /// Number of pixels each way that are drawn as one, where there was no time for more: else 1.
     pub coarseness: u32,
 }
 

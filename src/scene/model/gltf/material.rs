@@ -10,6 +10,7 @@ use relativity_core::math;
 use relativity_render::{RawModel, Wrap};
 
 use super::super::accessor::{COLOURS, TEXTURE_PLACES, data_of, read};
+use super::super::textures::{HALF_OPAQUE, cutoff};
 use super::ModelReader;
 use super::document::data_at;
 use super::extensions::{TextureInfo, TextureTransform};
@@ -32,7 +33,7 @@ impl ModelReader<'_> {
     /// Whether triangles of `material` are masked wherever they are.
     pub(super) fn is_unseen(&self, material: &Material<'_>) -> bool {
         let opacity = self.coat(material).factor[3];
-        material.alpha_mode() == AlphaMode::Mask && opacity < material.alpha_cutoff().unwrap_or(0.5)
+        material.alpha_mode() == AlphaMode::Mask && opacity < material.alpha_cutoff().unwrap_or(HALF_OPAQUE)
     }
 
     /// The coat of `material`: its base colour, or its diffuse colour beside a specular one; where that is
@@ -40,12 +41,11 @@ impl ModelReader<'_> {
     fn coat(&self, material: &Material<'_>) -> Coat {
         let base = material.pbr_metallic_roughness();
         let texture = || base.base_color_texture().map(TextureInfo::from);
-        let own = match self.extended.glossiness(material.index()) {
+        let (factor, texture) = match self.extended.glossiness(material.index()) {
             Some(diffuse) => (diffuse.factor, diffuse.texture.clone()),
             None => (base.base_color_factor(), texture()),
         };
-        let (factor, texture) = own;
-        let own = Coat { factor, texture, cutoff: cutoff(material, factor[3]) };
+        let own = Coat { factor, texture, cutoff: cutoff_of(material, factor[3]) };
         let strength = self.extended.strength(material.index());
         let light = material.emissive_factor().map(|part| part * strength);
         if light.iter().all(|part| *part <= 0.0) {
@@ -160,13 +160,12 @@ impl ModelReader<'_> {
 
 /// The least opacity of the texture of a `material` with this opacity, in parts of 65535, at which there is a
 /// surface: of one that lets light through, one half.
-fn cutoff(material: &Material<'_>, opacity: f32) -> u16 {
-    let least = match material.alpha_mode() {
+fn cutoff_of(material: &Material<'_>, opacity: f32) -> u16 {
+    cutoff(match material.alpha_mode() {
         AlphaMode::Opaque => 0.0,
-        AlphaMode::Mask => material.alpha_cutoff().unwrap_or(0.5) / opacity,
-        AlphaMode::Blend => 0.5,
-    };
-    (least * 65535.0).round() as u16
+        AlphaMode::Mask => material.alpha_cutoff().unwrap_or(HALF_OPAQUE) / opacity,
+        AlphaMode::Blend => HALF_OPAQUE,
+    })
 }
 
 /// Returns a place in a texture, as `KHR_texture_transform` moves it.

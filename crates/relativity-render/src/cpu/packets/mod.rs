@@ -48,8 +48,8 @@ impl PacketRenderer {
         Some(Self { level: widest()? })
     }
 
-    /// The picture `view` shows of `scene`, as far as it is drawn while `goes_on` is true, which is asked
-    /// between tiles: the others have no colour and no opacity.
+    /// Returns the picture of `scene` in `view`, drawn while `goes_on` is true, which is evaluated before
+    /// each tile: tiles that are not drawn have no colour and no opacity.
     pub fn picture_while(
         &self,
         scene: &PreparedScene,
