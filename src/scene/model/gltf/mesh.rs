@@ -9,16 +9,7 @@ use gltf::{Accessor, Node, Primitive};
 use super::super::super::light::measured;
 use super::super::accessor::{PLACES, check, read, read_indices};
 use super::super::limits::check_count;
-use super::{ModelReader, deform};
-
-/// The numbers of a mesh, if there is one, and of a primitive in it.
-pub(super) type MeshKey = (Option<usize>, usize);
-
-/// A primitive in the axes of its mesh.
-pub(super) struct LocalMesh {
-    corners: Vec<DVec3>,
-    indices: Vec<u32>,
-}
+use super::{LocalMesh, ModelReader, deform};
 
 impl ModelReader<'_> {
     /// Adds the triangles of a `primitive` of `node`, as `placed`; a skinned one is where its joints are.

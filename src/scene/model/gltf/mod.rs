@@ -25,14 +25,13 @@ use std::collections::HashMap;
 use std::iter;
 use std::rc::Rc;
 
-use glam::DMat4;
+use glam::{DMat4, DVec3};
 use gltf::Document;
 use relativity_render::RawModel;
 
 use self::deform::{Joints, Moves};
 use self::document::Text;
 use self::extensions::Extended;
-use self::mesh::{LocalMesh, MeshKey};
 use self::nodes::{PlacedNode, Tree};
 use super::companions::Companions;
 use super::parts::{NamedModel, NamedPart};
@@ -101,6 +100,15 @@ fn passed_over(document: &Document) -> Option<String> {
     let lights = has_lights.then(|| "its lights".to_owned());
     let all: Vec<_> = counts.map(|(count, one, many)| counted(count, one, many)).chain(lights).collect();
     (!all.is_empty()).then(|| format!("left out: {}", all.join(", ")))
+}
+
+/// The numbers of a mesh, if there is one, and of a primitive in it.
+type MeshKey = (Option<usize>, usize);
+
+/// A primitive in the axes of its mesh.
+struct LocalMesh {
+    corners: Vec<DVec3>,
+    indices: Vec<u32>,
 }
 
 /// A model that is being read.

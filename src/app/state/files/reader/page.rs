@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use eframe::egui::Context;
 use gamow_platform::files::{self, Sent};
 
-use super::{Errand, ReadFile, Shown, Use, thread};
+use super::errand::{Errand, ReadFile, Shown, Use};
+use super::thread;
 use crate::app::tools::worker::{BackgroundWork, StepOutcome, Wanted, Work};
 
 /// The place where files are read.

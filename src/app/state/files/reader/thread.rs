@@ -5,7 +5,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use eframe::egui::Context;
 use gamow_platform::threads;
 
-use super::{Errand, ReadFile};
+use super::errand::{Errand, ReadFile};
 use crate::app::tools::waker::Woken;
 
 /// The place where files are read.
