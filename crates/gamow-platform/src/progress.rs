@@ -1,6 +1,7 @@
 //! Progress of a command, on a terminal.
 
-use indicatif::{ProgressBar, ProgressStyle};
+pub use indicatif::ProgressBar;
+use indicatif::ProgressStyle;
 
 /// Returns a bar of `steps` steps, called `things`: on standard error, and only if that is a terminal.
 #[must_use]
