@@ -187,6 +187,11 @@ impl<W: Write + Seek> AnimationFile<W> {
         Ok(frames.len())
     }
 
+    /// Waits for some frames that did not reach the file yet. Returns their number.
+    fn catch_up(&mut self) -> anyhow::Result<usize> {
+        if let Self::Mp4(film) = self { film.catch_up() } else { Ok(0) }
+    }
+
     fn finish(self) -> anyhow::Result<()> {
         match self {
             Self::Gif(film) => film.finish(),
@@ -198,7 +203,8 @@ impl<W: Write + Seek> AnimationFile<W> {
 
 impl Studio {
     /// Makes the film of the frames at these `times` at `path`, an animated file whole or not at all. Before
-    /// each frame `goes_on` is asked with what is written. Returns the size of all, bytes.
+    /// each frame, and while the last ones are encoded, `goes_on` is asked with what is written. Returns the
+    /// size of all, bytes.
     ///
     /// # Errors
     ///
@@ -211,15 +217,15 @@ impl Studio {
         mut goes_on: impl FnMut(Written) -> bool,
     ) -> anyhow::Result<u64> {
         let (frames, bytes) = (Cell::new(0), Cell::new(0));
-        let mut next = |studio: &Self, drawn: u32, time: f64| {
-            let frame = studio.frame(Some(time))?;
+        let mut ask = |drawn: u32| {
             anyhow::ensure!(goes_on(Written { drawn, frames: frames.get(), bytes: bytes.get() }), Stopped);
-            Ok(frame)
+            Ok(())
         };
         if kind == FilmKind::Folder {
             files::create_folder(path).with_context(|| files::shown(path))?;
             for (number, &time) in (0..).zip(times) {
-                let frame = next(self, number, time)?;
+                let frame = self.frame(Some(time))?;
+                ask(number)?;
                 let file = frame_path(path, number, FileKind::Png);
                 files::check_replaceable(&file).with_context(|| files::shown(&file))?;
                 self.make_file(&frame, FileKind::Png, &file)?;
@@ -231,7 +237,8 @@ impl Studio {
         let (&first, rest) = times.split_first().context("there is nothing to show")?;
         let palette = if kind == FilmKind::Gif { Some(self.palette(times)?) } else { None };
         write_whole(path, |file| {
-            let frame = next(self, 0, first)?;
+            let frame = self.frame(Some(first))?;
+            ask(0)?;
             let record = self.provenance(&frame, path);
             let picture = self.shown_in_film(&frame, 0)?;
             let out = Counted { out: file, at: 0, bytes: &bytes };
@@ -243,11 +250,20 @@ impl Studio {
                     frames.set(frames.get() + film.write(&drawn)? as u32);
                     drawn.clear();
                 }
-                let frame = next(self, number, time)?;
+                let frame = self.frame(Some(time))?;
+                ask(number)?;
                 drawn.push(self.shown_in_film(&frame, number)?);
             }
-            film.write(&drawn)?;
-            film.finish()
+            let mut more = film.write(&drawn)?;
+            loop {
+                frames.set(frames.get() + more as u32);
+                ask(times.len() as u32)?;
+                // Frames that were drawn faster than they are encoded come now.
+                more = film.catch_up()?;
+                if more == 0 {
+                    return film.finish();
+                }
+            }
         })?;
         Ok(bytes.get())
     }

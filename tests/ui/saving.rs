@@ -346,7 +346,8 @@ fn a_film_of_ten_seconds_has_the_passage_just_shown_and_tells_its_size_before() 
         labels(&window).into_iter().find(|label| label.starts_with("T = −8.5 to −4.5 in 10 s: 250 frames"));
     let told = told.unwrap_or_else(|| panic!("{:?}", labels(&window)));
     let megabytes =
-        told.trim_end_matches(" MB.").rsplit(' ').next().and_then(|number| number.parse::<f64>().ok());
+        told.split_once(", about ").and_then(|(_, rest)| rest.split_once(" MB. The name ends in "));
+    let megabytes = megabytes.and_then(|(number, _)| number.parse::<f64>().ok());
     let path = folder.path().join("ten.gif");
     type_into(&mut window, "Path", path.to_str().expect("a plain path"));
     let text = message(&mut window);

@@ -96,11 +96,12 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
             let ([from, to], frames) = state.film(product);
             let unit = state.measures().time;
             format!(
-                "{} = {} to {} in 10 s: {frames} frames, about {} MB.",
+                "{} = {} to {} in 10 s: {frames} frames, about {} MB. The name ends in {}.",
                 state.clock().symbol,
                 unit.number(from, 1),
                 unit.text(to, 1),
-                expected_megabytes(state, frames, chooser)
+                expected_megabytes(state, frames, chooser),
+                FilmKind::NAMED_ENDINGS
             )
         }
         Product::Picture => "The picture records its state: opening it restores that.".to_owned(),

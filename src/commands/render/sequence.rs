@@ -130,7 +130,10 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
     let (size, mut is_forecast) = (studio.settings().picture.size, false);
     let bytes = studio.make_film(&times, kind, path, |written| {
         progress.set_position(written.drawn.into());
-        if let Some(bytes) = written.forecast(frames).filter(|_| !is_forecast) {
+        let Some(bytes) = written.forecast(frames) else { return true };
+        progress.set_message(format!(", about {} in all", number_text::bytes(bytes, 2)));
+        // The first frames alone may be much dearer than the rest.
+        if !is_forecast && written.frames > frames / 4 {
             is_forecast = true;
             forecast(&progress, frames, size, bytes, format_args!("the first {}", written.frames));
         }

@@ -4,7 +4,7 @@
 
 use super::h264::{COLOURS, GROUP};
 
-/// Ticks of the file's clock for each frame's numerator of seconds: players handle coarse clocks badly.
+/// Number by which the file's clock is finer than frames need: some players take no coarse one.
 const TICKS: u32 = 1000;
 /// The matrix that leaves a picture as it is.
 const UPRIGHT: [u32; 9] = [0x0001_0000, 0, 0, 0, 0x0001_0000, 0, 0, 0, 0x4000_0000];

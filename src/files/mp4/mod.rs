@@ -97,18 +97,27 @@ impl<W: Write + Seek> Mp4Writer<W> {
         Ok(())
     }
 
+    /// Waits, after the last frame, for some of those that did not reach the file yet. Returns their number.
+    ///
+    /// # Errors
+    ///
+    /// Those of the file.
+    pub fn catch_up(&mut self) -> anyhow::Result<usize> {
+        let before = self.sizes.len();
+        if !self.begun.is_empty() {
+            self.encode(Vec::new())?;
+        }
+        self.put_first()?;
+        Ok(self.sizes.len() - before)
+    }
+
     /// Finishes the file.
     ///
     /// # Errors
     ///
     /// Those of the file; fewer or more frames than it was to have.
     pub fn finish(mut self) -> anyhow::Result<()> {
-        if !self.begun.is_empty() {
-            self.encode(Vec::new())?;
-        }
-        while !self.ahead.is_empty() {
-            self.put_first()?;
-        }
+        while self.catch_up()? > 0 {}
         let (written, frames) = (self.sizes.len(), self.frames);
         anyhow::ensure!(written == frames, "a film of {frames} frames was given {written}");
         self.out.seek(SeekFrom::Start(0))?;
