@@ -45,7 +45,8 @@ fn main() -> anyhow::Result<()> {
         if is_apache {
             under_apache.push(title.clone());
         } else if found.is_empty() {
-            anyhow::ensure!(licence == "MIT" || licence == "BSL-1.0", "{title} has no text of its licence");
+            let is_standard = ["BSD-2-Clause", "BSL-1.0", "MIT"].contains(&licence);
+            anyhow::ensure!(is_standard, "{title} has no text of its licence");
             found.push(standard(name, licence, &manifest, &registry)?);
         }
         for text in found {
@@ -108,14 +109,20 @@ fn texts_in(folder: &Path, notices: bool, found: &mut Vec<String>) -> anyhow::Re
 
 /// The standard text of a `licence` that the library `name` has without its text.
 fn standard(name: &str, licence: &str, manifest: &Table, registry: &Path) -> anyhow::Result<String> {
+    let beside = fs::read_dir(registry)?.filter_map(Result::ok).map(|entry| entry.path());
+    let texts = |file| beside.filter_map(move |folder| fs::read_to_string(folder.join(file)).ok());
     if licence == "BSL-1.0" {
-        let beside = fs::read_dir(registry)?.filter_map(Result::ok).map(|entry| entry.path());
-        let mut texts = beside.filter_map(|folder| fs::read_to_string(folder.join("LICENSE-BOOST")).ok());
-        return Ok(plain(&texts.next().context("the text of BSL-1.0")?));
+        return Ok(plain(&texts("LICENSE-BOOST").next().context("the text of BSL-1.0")?));
     }
     let authors = manifest["package"].get("authors").and_then(toml::Value::as_array);
     let authors: Vec<_> = authors.into_iter().flatten().filter_map(toml::Value::as_str).collect();
     let holder = if authors.is_empty() { format!("the authors of {name}") } else { authors.join(", ") };
+    if licence == "BSD-2-Clause" {
+        let mut texts = texts("LICENSE").filter(|text| text.starts_with("BSD 2-Clause"));
+        let text = texts.next().context("the text of BSD-2-Clause")?;
+        let (_, terms) = text.split_once("All rights").context("the terms of BSD-2-Clause")?;
+        return Ok(plain(&format!("BSD 2-Clause License\n\nCopyright (c) {holder}\nAll rights{terms}")));
+    }
     let (_, terms) = MIT.split_once("Permission is").context("the terms of MIT")?;
     Ok(plain(&format!("MIT License\n\nCopyright (c) {holder}\n\nPermission is{terms}")))
 }

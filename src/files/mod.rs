@@ -1,5 +1,5 @@
-//! Files in and out: CSV, PNG, GIF, EXR and HTML, JPEG in, what is wrong with TOML, what files say of how
-//! they were made, and files written whole or not at all.
+//! Files in and out: CSV, PNG, GIF, MP4, EXR and HTML, JPEG in, what is wrong with TOML, what files say of
+//! how they were made, and files written whole or not at all.
 
 pub mod csv_in;
 pub mod csv_out;
@@ -7,6 +7,7 @@ pub mod exr;
 pub mod gif;
 pub mod html;
 pub mod jpeg;
+pub mod mp4;
 pub mod png;
 pub mod provenance;
 pub mod syntax;

@@ -1,7 +1,7 @@
 //! Films: frames at evenly spread observation times, as one animated file or as a folder of pictures.
 
 use std::cell::Cell;
-use std::io::{self, Write};
+use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
@@ -14,15 +14,14 @@ use super::{Studio, StudioFrame};
 use crate::files::png::AnimationTiming;
 use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
-use crate::files::{gif, png};
+use crate::files::{gif, mp4, png};
 use crate::flags::choices::FileKind;
-use crate::flags::words::Shell;
 use crate::time_range::time_within;
 
 /// Frames a second: a whole number of hundredths of a second each, as a GIF needs.
 pub const FRAMES_PER_SECOND: u16 = 25;
-/// Bytes of a GIF per pixel of its frames, about: 0.08 to 0.19 for the presets.
-const GIF_BYTES_PER_PIXEL: f64 = 0.13;
+/// Number of frames from which the size of a film is estimated, at least.
+const FEW: u32 = 5;
 /// Number of frames at most by which the colours of a GIF are chosen, and of how many pixels in a row one is
 /// drawn for that.
 const SAMPLED_FRAMES: usize = 20;
@@ -36,18 +35,22 @@ const FRAMES_PER_TURN: usize = 5;
 pub enum FilmKind {
     /// An animated GIF, of 255 colours.
     Gif,
+    /// A video of H.264.
+    Mp4,
     /// An animated picture (PNG).
     Png,
     /// A folder with a picture for each frame.
     Folder,
 }
 
-/// The part of a film that is written.
+/// The part of a film that is made.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Written {
+    /// Frames that are drawn; the last of them may wait to be written.
+    pub drawn: u32,
     /// Frames that are written.
     pub frames: u32,
-    /// Size of the frames, bytes.
+    /// Size of the written frames, bytes.
     pub bytes: u64,
 }
 
@@ -58,23 +61,38 @@ impl Written {
     pub fn expected_bytes(&self, frames: u32) -> Option<u64> {
         self.bytes.saturating_mul(frames.into()).checked_div(self.frames.into())
     }
+
+    /// The same while it is worth saying: once a few are written, and before all are.
+    #[must_use]
+    pub fn forecast(&self, frames: u32) -> Option<u64> {
+        self.expected_bytes(frames).filter(|_| (FEW..frames).contains(&self.frames))
+    }
 }
 
-/// A writer that counts the bytes that went through it.
+/// A writer that counts the bytes of what it writes; none of them twice that takes the place of another.
 struct Counted<'a, W> {
     out: W,
+    at: u64,
     bytes: &'a Cell<u64>,
 }
 
 impl<W: Write> Write for Counted<'_, W> {
     fn write(&mut self, part: &[u8]) -> io::Result<usize> {
         let written = self.out.write(part)?;
-        self.bytes.set(self.bytes.get() + written as u64);
+        self.at += written as u64;
+        self.bytes.set(self.bytes.get().max(self.at));
         Ok(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
         self.out.flush()
+    }
+}
+
+impl<W: Seek> Seek for Counted<'_, W> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.at = self.out.seek(to)?;
+        Ok(self.at)
     }
 }
 
@@ -84,42 +102,32 @@ impl<W: Write> Write for Counted<'_, W> {
 pub struct Stopped;
 
 impl FilmKind {
+    /// The kinds of animated files.
+    const FILES: [Self; 3] = [Self::Gif, Self::Mp4, Self::Png];
+    /// The endings of their names, the default first.
+    pub const ENDINGS: [&'static str; 3] = ["gif", "mp4", "png"];
+    /// The endings, in words.
+    pub const NAMED_ENDINGS: &'static str = ".gif, .mp4 or .png";
+
     /// Returns the kind that `path` names by its ending; a folder if it has none.
     #[must_use]
     pub fn from_path(path: &Path) -> Option<Self> {
         let Some(extension) = path.extension() else { return Some(Self::Folder) };
-        match extension.to_str()?.to_ascii_lowercase().as_str() {
-            "gif" => Some(Self::Gif),
-            "png" => Some(Self::Png),
-            _ => None,
-        }
+        let number = Self::ENDINGS.iter().position(|ending| extension.eq_ignore_ascii_case(ending))?;
+        Some(Self::FILES[number])
     }
 
-    /// The command for `shell` that makes an MP4 of such a film at `path`.
+    /// Returns about how many bytes a film of so many `frames` will have, each of this many `pixels`: within
+    /// a factor of two for the presets.
     #[must_use]
-    pub fn mp4_command(self, path: &Path, shell: Shell) -> String {
-        let file = |path: &Path| shell.file(&path.to_string_lossy());
-        let input = match self {
-            Self::Gif => format!("-i {}", file(path)),
-            Self::Png => format!("-f apng -i {}", file(path)),
-            Self::Folder => {
-                // The name of the frames is a pattern, and so is that of their folder.
-                let folder = path.to_string_lossy().replace('%', "%%");
-                let frames = Path::new(&folder).join("frame_%05d.png");
-                format!("-framerate {FRAMES_PER_SECOND} -i {}", file(&frames))
-            }
+    pub fn typical_bytes(self, frames: u32, pixels: f64) -> f64 {
+        let bytes_per_pixel = match self {
+            Self::Gif => 0.13,
+            Self::Mp4 => 0.035,
+            Self::Png | Self::Folder => 0.2,
         };
-        let out = file(&path.with_extension("mp4"));
-        // The usual encoding takes sides of an even number of pixels.
-        let even = shell.quoted("pad=ceil(iw/2)*2:ceil(ih/2)*2");
-        format!("ffmpeg {input} -vf {even} -c:v libx264 -pix_fmt yuv420p {out}")
+        bytes_per_pixel * f64::from(frames) * pixels
     }
-}
-
-/// Returns about how many bytes a GIF of so many `frames` will have, each of this many `pixels`.
-#[must_use]
-pub fn expected_gif_bytes(frames: u32, pixels: f64) -> f64 {
-    f64::from(frames) * GIF_BYTES_PER_PIXEL * pixels
 }
 
 /// Returns the number of frames of a film in which T runs through `range` once, at `rate` units a second; 2
@@ -142,15 +150,17 @@ pub fn frame_path(folder: &Path, number: u32, kind: FileKind) -> PathBuf {
 }
 
 /// An animated file that is being written.
-enum AnimationFile<W: Write> {
+enum AnimationFile<W: Write + Seek> {
     Gif(gif::GifWriter<W>),
+    Mp4(Box<mp4::Mp4Writer<W>>),
     Png(png::PngWriter<W>),
 }
 
-impl<W: Write> AnimationFile<W> {
-    /// Begins a film of `frames` frames of this `size`, whose provenance is `record`: a GIF if it has a
-    /// `palette`.
+impl<W: Write + Seek> AnimationFile<W> {
+    /// Begins a film of this `kind` with `frames` frames of this `size`, whose provenance is `record`: a GIF
+    /// if it has a `palette`.
     fn new(
+        kind: FilmKind,
         palette: Option<gif::Palette>,
         size: [u32; 2],
         frames: usize,
@@ -161,19 +171,31 @@ impl<W: Write> AnimationFile<W> {
             return Ok(Self::Gif(gif::GifWriter::new(size, 100 / FRAMES_PER_SECOND, palette, out)?));
         }
         let animation = AnimationTiming { frames: u32::try_from(frames)?, seconds: [1, FRAMES_PER_SECOND] };
+        if kind == FilmKind::Mp4 {
+            return Ok(Self::Mp4(Box::new(mp4::Mp4Writer::new(size, animation, out)?)));
+        }
         Ok(Self::Png(png::PngWriter::new(size, Some(animation), None, &record.texts(), out)?))
     }
 
-    fn write(&mut self, frames: &[Picture]) -> anyhow::Result<()> {
+    /// Adds frames. Returns how many, of these or earlier ones, reached the file meanwhile.
+    fn write(&mut self, frames: &[Picture]) -> anyhow::Result<usize> {
         match self {
-            Self::Gif(film) => film.write(frames),
-            Self::Png(film) => frames.iter().try_for_each(|frame| film.write(frame)),
+            Self::Gif(film) => film.write(frames)?,
+            Self::Mp4(film) => return film.write(frames),
+            Self::Png(film) => frames.iter().try_for_each(|frame| film.write(frame))?,
         }
+        Ok(frames.len())
+    }
+
+    /// Waits for some frames that did not reach the file yet. Returns their number.
+    fn catch_up(&mut self) -> anyhow::Result<usize> {
+        if let Self::Mp4(film) = self { film.catch_up() } else { Ok(0) }
     }
 
     fn finish(self) -> anyhow::Result<()> {
         match self {
             Self::Gif(film) => film.finish(),
+            Self::Mp4(film) => film.finish(),
             Self::Png(film) => film.finish(),
         }
     }
@@ -181,7 +203,8 @@ impl<W: Write> AnimationFile<W> {
 
 impl Studio {
     /// Makes the film of the frames at these `times` at `path`, an animated file whole or not at all. Before
-    /// each frame `goes_on` is asked with what is written. Returns the size of all, bytes.
+    /// each frame, and while the last ones are encoded, `goes_on` is asked with what is written. Returns the
+    /// size of all, bytes.
     ///
     /// # Errors
     ///
@@ -193,43 +216,54 @@ impl Studio {
         path: &Path,
         mut goes_on: impl FnMut(Written) -> bool,
     ) -> anyhow::Result<u64> {
-        let bytes = Cell::new(0);
-        let mut next = |studio: &Self, frames: u32, time: f64| {
-            let frame = studio.frame(Some(time))?;
-            anyhow::ensure!(goes_on(Written { frames, bytes: bytes.get() }), Stopped);
-            Ok(frame)
+        let (frames, bytes) = (Cell::new(0), Cell::new(0));
+        let mut ask = |drawn: u32| {
+            anyhow::ensure!(goes_on(Written { drawn, frames: frames.get(), bytes: bytes.get() }), Stopped);
+            Ok(())
         };
         if kind == FilmKind::Folder {
             files::create_folder(path).with_context(|| files::shown(path))?;
             for (number, &time) in (0..).zip(times) {
-                let frame = next(self, number, time)?;
+                let frame = self.frame(Some(time))?;
+                ask(number)?;
                 let file = frame_path(path, number, FileKind::Png);
                 files::check_replaceable(&file).with_context(|| files::shown(&file))?;
                 self.make_file(&frame, FileKind::Png, &file)?;
                 bytes.set(bytes.get() + files::size(&file).with_context(|| files::shown(&file))?);
+                frames.set(number + 1);
             }
             return Ok(bytes.get());
         }
         let (&first, rest) = times.split_first().context("there is nothing to show")?;
         let palette = if kind == FilmKind::Gif { Some(self.palette(times)?) } else { None };
         write_whole(path, |file| {
-            let frame = next(self, 0, first)?;
+            let frame = self.frame(Some(first))?;
+            ask(0)?;
             let record = self.provenance(&frame, path);
             let picture = self.shown_in_film(&frame, 0)?;
-            let out = Counted { out: file, bytes: &bytes };
-            let mut film = AnimationFile::new(palette, picture.size, times.len(), &record, out)?;
+            let out = Counted { out: file, at: 0, bytes: &bytes };
+            let mut film = AnimationFile::new(kind, palette, picture.size, times.len(), &record, out)?;
             let mut drawn = vec![picture];
             for (number, &time) in (1..).zip(rest) {
                 // As many at once as there are threads to encode them.
                 if drawn.len() >= threads::count() {
-                    film.write(&drawn)?;
+                    frames.set(frames.get() + film.write(&drawn)? as u32);
                     drawn.clear();
                 }
-                let frame = next(self, number, time)?;
+                let frame = self.frame(Some(time))?;
+                ask(number)?;
                 drawn.push(self.shown_in_film(&frame, number)?);
             }
-            film.write(&drawn)?;
-            film.finish()
+            let mut more = film.write(&drawn)?;
+            loop {
+                frames.set(frames.get() + more as u32);
+                ask(times.len() as u32)?;
+                // Frames that were drawn faster than they are encoded come now.
+                more = film.catch_up()?;
+                if more == 0 {
+                    return film.finish();
+                }
+            }
         })?;
         Ok(bytes.get())
     }
@@ -259,7 +293,6 @@ impl Studio {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::flags::words::words;
 
     #[test]
     fn a_loop_does_not_show_its_first_moment_twice() {
@@ -269,21 +302,11 @@ mod tests {
     }
 
     #[test]
-    fn the_command_of_an_mp4_quotes_what_a_shell_would_split() {
-        let files = |path: &str| {
-            let kind = FilmKind::from_path(Path::new(path)).expect("a film");
-            let mut words = words(&kind.mp4_command(Path::new(path), Shell::Posix));
-            let input = words.iter().position(|word| word == "-i").expect("it has an input");
-            [words.remove(input + 1), words.pop().expect("it has an output")]
-        };
-        assert_eq!(files("my ride.gif"), ["my ride.gif", "my ride.mp4"]);
-        assert_eq!(files("-ride.png"), ["./-ride.png", "./-ride.mp4"]);
-        assert_eq!(files("100 % 5d"), ["100 %% 5d/frame_%05d.png", "100 % 5d.mp4"]);
-        let command = FilmKind::Folder.mp4_command(Path::new("50%&c"), Shell::Cmd);
-        assert!(
-            command.contains(r#" -i "50"^%""^%"&c"#) && command.contains(r#"frame_"^%"05d.png" "#),
-            "{command}"
-        );
+    fn the_ending_of_a_name_says_the_kind_of_a_film() {
+        for ending in FilmKind::ENDINGS {
+            let path = format!("a/ride.{}", ending.to_uppercase());
+            assert!(FilmKind::from_path(Path::new(&path)).is_some_and(|kind| kind != FilmKind::Folder));
+        }
         assert_eq!(FilmKind::from_path(Path::new("ride.avi")), None);
         assert_eq!(FilmKind::from_path(Path::new("a/ride")), Some(FilmKind::Folder));
     }

@@ -23,7 +23,7 @@ const TALKERS: [&str; 11] = [
 ];
 
 /// All that writes files, and which: those that take longest last.
-const WRITERS: [(&str, &str); 11] = [
+const WRITERS: [(&str, &str); 12] = [
     ("curve --samples 50 --out", "out.csv"),
     ("eval points.csv --out", "out.csv"),
     ("fit rows.csv --json --out", "out.json"),
@@ -31,6 +31,7 @@ const WRITERS: [(&str, &str); 11] = [
     ("render --renderer reference --size 8x6 --out", "out.png"),
     ("render --renderer reference --size 8x6 --out", "out.exr"),
     ("render --renderer reference --size 8x6 --frames 2 --out", "out.gif"),
+    ("render --renderer reference --size 8x6 --frames 2 --out", "out.mp4"),
     ("render --renderer reference --size 8x6 --frames 2 --out", "film.png"),
     ("rectify frame.exr --beta 0.5 --out", "out.exr"),
     ("lesson page.md --worksheet", "out.html"),
@@ -38,7 +39,7 @@ const WRITERS: [(&str, &str); 11] = [
 ];
 
 /// How many of them are quick.
-const QUICK: usize = 9;
+const QUICK: usize = 10;
 
 /// A short lesson.
 const LESSON: &str = "\

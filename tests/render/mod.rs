@@ -10,6 +10,7 @@ use tempfile::TempDir;
 
 mod comparison;
 mod errors;
+mod films;
 mod measure;
 mod measurements;
 mod pictures;

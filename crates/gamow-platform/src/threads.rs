@@ -15,6 +15,29 @@ pub fn spawn<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Jo
     std::thread::spawn(work)
 }
 
+/// Work that is done ahead, in a thread of its own.
+#[derive(Debug)]
+pub struct Ahead<T>(JoinHandle<T>);
+
+impl<T: Send + 'static> Ahead<T> {
+    /// Begins `work`.
+    pub fn new(work: impl FnOnce() -> T + Send + 'static) -> Self {
+        Self(spawn(work))
+    }
+
+    /// Whether it is done.
+    #[must_use]
+    pub fn is_ready(&self) -> bool {
+        self.0.is_finished()
+    }
+
+    /// Returns its result, once it is done.
+    #[must_use]
+    pub fn wait(self) -> T {
+        self.0.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    }
+}
+
 /// Lets this thread wait.
 pub fn sleep(duration: Duration) {
     std::thread::sleep(duration);

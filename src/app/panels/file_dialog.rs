@@ -1,5 +1,7 @@
 //! The small window that asks which file to open or to write.
 
+use std::path::Path;
+
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Align2, Context, Key, RichText, TextEdit, Ui, Window};
 
@@ -11,7 +13,7 @@ use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::widgets::focus;
 use crate::flags::choices::{Form, Size};
 use crate::number_text;
-use crate::studio::film::{FRAMES_PER_SECOND, expected_gif_bytes};
+use crate::studio::film::{FRAMES_PER_SECOND, FilmKind};
 
 /// Width of the path, and room beside it, points.
 const PATH_WIDTH: f32 = 440.0;
@@ -84,22 +86,22 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
             let (_, frames) = state.film(product);
             let seconds = f64::from(frames) / f64::from(FRAMES_PER_SECOND);
             format!(
-                "T runs through its range once: {frames} frames, {seconds:.1} s. A name that ends in .gif \
-                    or .png gives an animation; one without an ending, a folder of pictures."
+                "T runs through its range once: {frames} frames, {seconds:.1} s, about {} MB. A name that \
+                    ends in {} gives an animation; one without an ending, a folder of pictures.",
+                expected_megabytes(state, frames, chooser),
+                FilmKind::NAMED_ENDINGS
             )
         }
         Product::TenSeconds => {
             let ([from, to], frames) = state.film(product);
             let unit = state.measures().time;
-            let megabytes = match chooser.size.trim().parse::<Size>() {
-                Ok(Size(size)) => expected_megabytes(state, frames, size),
-                Err(_) => number_text::NONE.to_owned(),
-            };
             format!(
-                "{} = {} to {} in 10 s: {frames} frames, as a GIF about {megabytes} MB.",
+                "{} = {} to {} in 10 s: {frames} frames, about {} MB. The name ends in {}.",
                 state.clock().symbol,
                 unit.number(from, 1),
-                unit.text(to, 1)
+                unit.text(to, 1),
+                expected_megabytes(state, frames, chooser),
+                FilmKind::NAMED_ENDINGS
             )
         }
         Product::Picture => "The picture records its state: opening it restores that.".to_owned(),
@@ -124,14 +126,18 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
     ui.label(RichText::new(text).weak());
 }
 
-/// The size of a film of this many `frames`, with pictures of this `size` for each eye.
-fn expected_megabytes(state: &State, frames: u32, [width, height]: [u32; 2]) -> String {
+/// The size of a film of this many `frames`, of the kind and with the pictures that are typed.
+fn expected_megabytes(state: &State, frames: u32, chooser: &Chooser) -> String {
+    let kind = FilmKind::from_path(Path::new(chooser.path.trim()));
+    let (Some(kind), Ok(Size([width, height]))) = (kind, chooser.size.trim().parse()) else {
+        return number_text::NONE.to_owned();
+    };
     let pictures = match state.document.settings.picture.layout.form() {
         Form::Beside | Form::Above => 2.0,
         Form::One(_) | Form::Composed(_) | Form::InTurn => 1.0,
     };
     let pixels = pictures * f64::from(width) * f64::from(height);
-    number_text::significant(expected_gif_bytes(frames, pixels) / 1e6, 1)
+    number_text::significant(kind.typical_bytes(frames, pixels) / 1e6, 1)
 }
 
 fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: bool, commands: &mut Commands) {

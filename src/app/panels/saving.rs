@@ -30,9 +30,9 @@ pub fn show(ctx: &Context, saver: &Saver, commands: &mut Commands) {
             );
             ui.add(Label::new(size).truncate());
             ui.horizontal(|ui| {
-                let bar = ProgressBar::new(written.frames as f32 / frames.max(1) as f32)
-                    .desired_width(WIDTH - 70.0);
-                ui.add(bar.text(format!("{} of {frames}", written.frames)));
+                let bar =
+                    ProgressBar::new(written.drawn as f32 / frames.max(1) as f32).desired_width(WIDTH - 70.0);
+                ui.add(bar.text(format!("{} of {frames}", written.drawn)));
                 if ui.button("Stop").clicked() {
                     commands.push(FileCommand::StopSaving.into());
                 }

@@ -42,11 +42,6 @@ impl App {
         match self.saver.made() {
             None => {}
             Some(SaveOutcome::File(path, text)) => self.tell(ctx, Notice::done(text).about(&path)),
-            Some(SaveOutcome::Film(path, text, command)) => {
-                let text = format!("{text} Copied, for an MP4 of it: {command}");
-                self.tell(ctx, Notice::done(text).about(&path));
-                ctx.copy_text(command);
-            }
             Some(SaveOutcome::Picture(Picture { size, rgba })) => {
                 self.tell(ctx, Notice::done("Copied the picture."));
                 ctx.copy_image(image::of_pixels(size, &rgba));

@@ -28,8 +28,9 @@ use crate::studio::film::FilmKind;
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, mut_args(without_the_windows))]
 pub struct RenderArgs {
-    /// Output: FILE.png or FILE.exr; with --frames a folder, or FILE.gif or FILE.png, an animation of 25
-    /// frames a second. Each file is written whole or not at all.
+    /// Output: FILE.png or FILE.exr; with --frames a folder, or FILE.gif, FILE.mp4 or FILE.png, an animation
+    /// of 25 frames a second. Each file is written whole or not at all. An MP4 is H.264 at a fixed quality:
+    /// colours have half the resolution of brightness, and a side of an odd number of pixels gets one more.
     #[arg(long, default_value = "gamow.png", value_name = "FILE|DIR")]
     out: PathBuf,
     #[command(flatten)]
@@ -61,6 +62,7 @@ Examples:
   gamow render --frames 200 --size 640x480 --out ride
   gamow render --frames 200 --part 2/8 --renderer reference --out ride   (the second of eight parts, for eight machines)
   gamow render --frames 100 --size 320x240 --renderer rays --out ride.gif
+  gamow render --frames 100 --size 960x720 --out ride.mp4
   gamow render --renderer reference --out hits.exr
   gamow render --geometry published --time 1.5 --layout overlay --out published.png
   gamow render --projection vr180 --time 2 --out street.png   (street_180x180_LR.png, for headsets)
@@ -110,16 +112,19 @@ impl RenderArgs {
                 anyhow::bail!("--out {out}: a sequence of measurements needs a folder, not a file")
             }
             (Some(kind), _, None) => Ok(RenderOutput::File(kind)),
-            (None, Some(FilmKind::Gif), None) => {
+            (None, Some(FilmKind::Gif | FilmKind::Mp4), None) => {
                 anyhow::bail!("--out {out}: an animation needs --frames")
             }
-            (_, Some(kind @ (FilmKind::Gif | FilmKind::Png)), Some(_)) => Ok(RenderOutput::Film(kind)),
+            (_, Some(kind @ (FilmKind::Gif | FilmKind::Mp4 | FilmKind::Png)), Some(_)) => {
+                Ok(RenderOutput::Film(kind))
+            }
             (None, _, None) => {
                 anyhow::bail!("--out {out}: a file must end in .png or .exr; a folder needs --frames")
             }
             (_, None, Some(_)) if is_of_another_kind(&self.out) => {
                 anyhow::bail!(
-                    "--out {out}: an animation must end in .gif or .png; of a folder of pictures ffmpeg makes any other"
+                    "--out {out}: an animation must end in {}; of a folder of pictures ffmpeg makes any other",
+                    FilmKind::NAMED_ENDINGS
                 )
             }
             (_, _, Some(_)) => Ok(RenderOutput::Sequence),
@@ -130,6 +135,6 @@ impl RenderArgs {
 /// Whether `path` is called what films or pictures are called that are not made here; any other name is a
 /// folder's.
 fn is_of_another_kind(path: &Path) -> bool {
-    const KINDS: [&str; 8] = ["avi", "jpeg", "jpg", "mkv", "mov", "mp4", "tif", "webm"];
+    const KINDS: [&str; 7] = ["avi", "jpeg", "jpg", "mkv", "mov", "tif", "webm"];
     path.extension().is_some_and(|extension| KINDS.iter().any(|kind| extension.eq_ignore_ascii_case(kind)))
 }

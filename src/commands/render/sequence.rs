@@ -6,10 +6,11 @@ use std::str::FromStr;
 
 use anyhow::Context as _;
 use clap::Args;
-use gamow_platform::{files, messages, progress};
+use gamow_platform::progress::{self, ProgressBar};
+use gamow_platform::{files, messages};
 
 use super::vr180;
-use crate::flags::choices::{FileKind, RendererChoice};
+use crate::flags::choices::{FileKind, RendererChoice, Size};
 use crate::flags::finite_number;
 use crate::number_text;
 use crate::studio::Studio;
@@ -126,8 +127,16 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
     let range = times.range(studio)?;
     let progress = progress::bar(frames.into(), "frames");
     let times: Vec<f64> = (0..frames).map(|frame| time_of(frame, frames, range)).collect();
+    let (size, mut is_forecast) = (studio.settings().picture.size, false);
     let bytes = studio.make_film(&times, kind, path, |written| {
-        progress.set_position(written.frames.into());
+        progress.set_position(written.drawn.into());
+        let Some(bytes) = written.forecast(frames) else { return true };
+        progress.set_message(format!(", about {} in all", number_text::bytes(bytes, 2)));
+        // The first frames alone may be much dearer than the rest.
+        if !is_forecast && written.frames > frames / 4 {
+            is_forecast = true;
+            forecast(&progress, frames, size, bytes, format_args!("the first {}", written.frames));
+        }
         true
     })?;
     progress.finish_and_clear();
@@ -137,6 +146,17 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
         number_text::bytes(bytes, 3)
     ));
     Ok(())
+}
+
+/// Says that all of so many `frames`, of this `size`, will have about so many `bytes`, judging by the `made`
+/// ones.
+fn forecast(progress: &ProgressBar, frames: u32, size: Size, bytes: u64, made: impl fmt::Display) {
+    let estimate = number_text::bytes(bytes, 2);
+    progress.suspend(|| {
+        messages::remark(format_args!(
+            "{frames} frames, {size} per eye: about {estimate}, estimated from {made}"
+        ));
+    });
 }
 
 /// Returns T of one of `frames` frames: those of the first and the last are the ends of `range`.
@@ -174,12 +194,8 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         let made = written.frames;
         let is_probed = made as usize == probes.len() && made < count;
         if let Some(bytes) = written.expected_bytes(count).filter(|_| is_probed) {
-            let (estimate, size) = (number_text::bytes(bytes, 2), studio.settings().picture.size);
-            progress.suspend(|| {
-                messages::remark(format_args!(
-                    "{count} frames, {size} per eye: about {estimate}, estimated from {made} of them"
-                ));
-            });
+            let size = studio.settings().picture.size;
+            forecast(&progress, count, size, bytes, format_args!("{made} of them"));
         }
     }
     progress.finish_and_clear();

@@ -9,7 +9,7 @@ use super::*;
 use crate::files::csv_out::CsvWriter;
 use crate::files::exr::Measurements;
 use crate::files::png::Still;
-use crate::files::{gif, png};
+use crate::files::{gif, mp4, png};
 
 /// A place that a file is written to.
 trait Place: Write + Seek {}
@@ -58,9 +58,16 @@ fn film(out: &mut dyn Place) -> anyhow::Result<()> {
     film.finish()
 }
 
+fn video(out: &mut dyn Place) -> anyhow::Result<()> {
+    let timing = png::AnimationTiming { frames: 2, seconds: [1, 25] };
+    let mut film = mp4::Mp4Writer::new([3, 2], timing, out)?;
+    film.write(&[picture(), picture()])?;
+    film.finish()
+}
+
 /// Each kind of file, and a small one of it.
 type Kind = (&'static str, fn(&mut dyn Place) -> anyhow::Result<()>);
-const KINDS: [Kind; 7] = [
+const KINDS: [Kind; 8] = [
     ("csv", csv),
     ("png", |out| png::write(&picture(), &[("Title", "two by three")], out)),
     ("apng", |out| {
@@ -68,6 +75,7 @@ const KINDS: [Kind; 7] = [
             .write(&[("Title", "x")], out)
     }),
     ("gif", film),
+    ("mp4", video),
     ("exr", |out| Measurements::for_tests([2, 40]).write(out)),
     ("json", |out| write_json(&[[1.5, 2.5], [3.5, 4.5]], out)),
     // Pages, drawings and settings are written as one text.

@@ -144,6 +144,7 @@ impl Files {
             "a.svg",
             "a.csv",
             "a.gif",
+            "a.mp4",
             "a.json",
             "a.html",
             "film",

@@ -73,6 +73,7 @@ fn media_type(path: &Path) -> &'static str {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("png") => "image/png",
         Some("gif") => "image/gif",
+        Some("mp4") => "video/mp4",
         Some("svg") => "image/svg+xml",
         Some("csv") => "text/csv",
         Some("html") => "text/html",

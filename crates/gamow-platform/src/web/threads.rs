@@ -11,3 +11,26 @@ pub const ARE_SEVERAL: bool = false;
 pub fn spawn(work: impl FnOnce() + 'static) {
     tasks::spawn(async { work() });
 }
+
+/// Work that is done ahead: at once, as there is one thread.
+#[derive(Debug)]
+pub struct Ahead<T>(T);
+
+impl<T> Ahead<T> {
+    /// Does `work`.
+    pub fn new(work: impl FnOnce() -> T) -> Self {
+        Self(work())
+    }
+
+    /// Whether it is done.
+    #[must_use]
+    pub const fn is_ready(&self) -> bool {
+        true
+    }
+
+    /// Returns its result.
+    #[must_use]
+    pub fn wait(self) -> T {
+        self.0
+    }
+}

@@ -177,7 +177,8 @@ impl Chooser {
         let path = product.with_ending(&path)?;
         let is_folder = product.can_be_a_folder() && FilmKind::from_path(&path) == Some(FilmKind::Folder);
         if is_folder && !files::HAS_FOLDERS {
-            return Err("A browser saves no folders: the name of a film must end in .gif.".to_owned());
+            let endings = FilmKind::NAMED_ENDINGS;
+            return Err(format!("A browser saves no folders: the name of a film must end in {endings}."));
         }
         if files::is_folder(&path) && !is_folder {
             return Err(format!("{} is a folder.", path.display()));

@@ -10,9 +10,6 @@ use crate::studio::film::Written;
 /// Interval between two reports of progress: each costs a frame of the window.
 const TOLD: Duration = Duration::from_millis(250);
 
-/// Frames from which the size of a film is estimated.
-const FEW: u32 = 5;
-
 /// The progress of a product.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress<'a> {
@@ -28,8 +25,7 @@ impl Progress<'_> {
     /// The size of all, bytes, estimated from the frames so far; `None` before there are a few.
     #[must_use]
     pub fn expected_bytes(&self) -> Option<u64> {
-        let Written { frames, .. } = self.written;
-        if frames >= FEW && frames < self.frames { self.written.expected_bytes(self.frames) } else { None }
+        self.written.forecast(self.frames)
     }
 }
 
@@ -46,8 +42,9 @@ impl Reporter {
     /// Reports what is `written` so far.
     pub fn report(&self, written: Written) {
         let Self(Some((ctx, all_written))) = self else {
-            let [frames, bytes] = [u64::from(written.frames), written.bytes].map(u64::to_le_bytes);
-            return gamow_platform::note(&[frames, bytes].concat());
+            let Written { drawn, frames, bytes } = written;
+            let numbers = [drawn.into(), frames.into(), bytes].map(u64::to_le_bytes);
+            return gamow_platform::note(&numbers.concat());
         };
         *lock(all_written) = written;
         ctx.request_repaint_after(TOLD);
@@ -55,11 +52,9 @@ impl Reporter {
 
     /// Reports the progress in a `note`.
     pub fn report_note(&self, note: &[u8]) {
-        let number = |part: &[u8]| part.try_into().map(u64::from_le_bytes);
-        if let Some((frames, bytes)) = note.split_at_checked(8)
-            && let (Ok(frames), Ok(bytes)) = (number(frames), number(bytes))
-        {
-            self.report(Written { frames: frames as u32, bytes });
+        if let ([drawn, frames, bytes], []) = note.as_chunks() {
+            let [drawn, frames, bytes] = [drawn, frames, bytes].map(|part| u64::from_le_bytes(*part));
+            self.report(Written { drawn: drawn as u32, frames: frames as u32, bytes });
         }
     }
 }
@@ -77,9 +72,9 @@ mod tests {
     fn a_note_is_reported_and_a_broken_one_is_not() {
         let written = Arc::default();
         let reporter = Reporter::new(&Context::default(), &written);
-        let note = [3u64, 1 << 40].map(u64::to_le_bytes).concat();
+        let note = [5u64, 3, 1 << 40].map(u64::to_le_bytes).concat();
         reporter.report_note(&note);
-        reporter.report_note(&note[..9]);
-        assert_eq!(*lock(&written), Written { frames: 3, bytes: 1 << 40 });
+        reporter.report_note(&note[..17]);
+        assert_eq!(*lock(&written), Written { drawn: 5, frames: 3, bytes: 1 << 40 });
     }
 }

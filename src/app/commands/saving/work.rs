@@ -15,7 +15,6 @@ use crate::estimate::samples::FitKey;
 use crate::estimate::{FitReport, outliers};
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
-use crate::flags::words::Shell;
 use crate::lesson::worksheet::{self, SheetKind};
 use crate::lesson::{Course, Lesson, report};
 use crate::number_text;
@@ -60,8 +59,6 @@ pub enum SaveJob {
 pub enum SaveOutcome {
     /// A file, and a message about it.
     File(PathBuf, String),
-    /// A film, a message about it, and a command that makes an MP4 of it.
-    Film(PathBuf, String, String),
     /// A picture to be copied.
     Picture(Picture),
     /// No file there, and why.
@@ -160,8 +157,7 @@ impl SaveJob {
                 let size = number_text::bytes(bytes, 2);
                 let text =
                     format!("Saved {}: {} frames, {seconds:.1} s, {size}.", name_of(&path), times.len());
-                let command = kind.mp4_command(&path, Shell::here());
-                Ok(SaveOutcome::Film(path, text, command))
+                Ok(SaveOutcome::File(path, text))
             }
             Self::Fit(key, path) => {
                 let (report, remark) = fitted(&key)?;

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::lesson::worksheet::SheetKind;
+use crate::studio::film::FilmKind;
 
 /// The purpose for which a file is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,9 +74,9 @@ impl Product {
             Self::State => "Saves all settings, as TOML.",
             Self::Scene => "Saves the scene in which the opened model rides, to move it or to add to it.",
             Self::Film => {
-                "Saves T running through its range once: a GIF, an animated PNG, or a folder of pictures."
+                "Saves T running through its range once: a GIF, an MP4, an animated PNG, or a folder of pictures."
             }
-            Self::TenSeconds => "Saves the passage just shown as a GIF of 10 s, to put in slides.",
+            Self::TenSeconds => "Saves the passage just shown as a GIF or an MP4 of 10 s, to put in slides.",
             Self::Fit => "Saves the numbers of the Fit tab, as JSON.",
             Self::Report => "Saves what was predicted and seen in each step, as a page to keep or to print.",
             Self::Worksheet => "Saves the questions with room for answers, as a page to print.",
@@ -115,7 +116,7 @@ impl Product {
             Self::PlotsSvg => &["svg"],
             Self::PlotsCsv => &["csv"],
             Self::State | Self::Scene => &["toml"],
-            Self::Film | Self::TenSeconds => &["gif", "png"],
+            Self::Film | Self::TenSeconds => &FilmKind::ENDINGS,
             Self::Fit => &["json"],
             Self::Report | Self::Worksheet | Self::LabSheet | Self::TeachersPage => &["html"],
         }
@@ -158,9 +159,11 @@ impl Product {
             return Ok(path.to_owned());
         }
         Err(match self {
-            Self::Film => {
-                "The name of a film ends in .gif or .png; a folder of pictures has no ending.".to_owned()
-            }
+            Self::Film => format!(
+                "The name of a film ends in {}; a folder of pictures has no ending.",
+                FilmKind::NAMED_ENDINGS
+            ),
+            Self::TenSeconds => format!("The name of a film ends in {}.", FilmKind::NAMED_ENDINGS),
             _ => format!("The name of such a file ends in .{}.", self.endings()[0]),
         })
     }
@@ -199,7 +202,7 @@ mod tests {
         assert_eq!(named(Product::Picture, "a/ride"), Ok(PathBuf::from("a/ride.png")));
         assert_eq!(named(Product::Picture, "ride.PNG"), Ok(PathBuf::from("ride.PNG")));
         assert_eq!(named(Product::Film, "ride"), Ok(PathBuf::from("ride")));
-        assert!(named(Product::Film, "ride.avi").expect_err("no film").contains(".gif or .png"));
+        assert!(named(Product::Film, "ride.avi").expect_err("no film").contains(".gif, .mp4 or .png"));
         assert_eq!(
             named(Product::State, "ride.png"),
             Err("The name of such a file ends in .toml.".to_owned())
