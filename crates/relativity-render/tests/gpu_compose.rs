@@ -35,7 +35,7 @@ fn compositions_are_those_of_the_cpu(renderers: &mut Renderers) {
     for size in [[1, 1], [64, 48], [257, 131]] {
         let pictures = [picture(size, 1), picture(size, 2)];
         let targets = [0, 1].map(|eye: usize| {
-            let target = EyeTarget::new(gpu, size);
+            let mut target = EyeTarget::new(gpu, size);
             target.write(gpu, &pictures[eye]);
             target
         });

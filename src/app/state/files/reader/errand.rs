@@ -30,6 +30,7 @@ pub enum Use {
 
 impl Use {
     /// Whether the file replaces what was opened before it.
+    #[must_use]
     pub const fn opens(self) -> bool {
         matches!(self, Self::Show | Self::Fit)
     }
