@@ -34,8 +34,8 @@ pub struct WindowArgs {
     /// Begin this lesson or preset; the name of a file has its ending, `.md`. `--list` names them all.
     #[arg(long, value_name = "NAME|FILE", conflicts_with = "state")]
     lesson: Option<PathBuf>,
-    /// Go through a sequence of your own with Page Down and Page Up: a text file that names a preset, a
-    /// state, a link or a step of a lesson in each line.
+    /// Go through a sequence of your own: a text file that names a preset, a state, a link or a step of a
+    /// lesson in each line. Page Down and Page Up go through it.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["state", "scene", "lesson"])]
     sequence: Option<PathBuf>,
     /// A folder with your own lessons, beside the program's. A lesson of the same name replaces the
