@@ -13,7 +13,7 @@ const WIDTH: usize = 80;
 const BLANKS: usize = 8;
 const BLANKS_OF_COMMAND: usize = 6;
 /// Greatest length of the name of a value in the short help, characters.
-const VALUE_LETTERS: usize = 12;
+const VALUE_LETTERS: usize = 11;
 
 /// Returns `command` as the `words` of a command line want its help: shortened for `-h`, narrowed to one
 /// section by `--help SECTION`, else as it is. Words that name a section are replaced by those that ask for

@@ -68,11 +68,10 @@ pub fn unit(column: &str) -> Option<&'static str> {
         "T" | "t" | "tau" | CLOCK => "time",
         "phi" | "theta" | "dphi" | "dtheta" | "angle" | "v" => "rad",
         ROLL | TURN | "observer_azimuth" | "observer_elevation" => "deg",
-        "d" | "x" | "y" | "z" | "x0" | "distance" | "wheel_radius" => "length",
-        "stereo_x" | "stereo_y" | "stereo_z" | "stereo_miss" => "length",
-        "observer_x" | "observer_y" | "observer_z" => "length",
-        "beta" | "gamma" | "rapidity" | "rho" | "u" | "doppler" | "intensity" | "stereo_gain" => "1",
-        "observer_beta" | "observer_gamma" | "observer_rapidity" => "1",
+        "d" | "x" | "y" | "z" | "x0" | "distance" | "wheel_radius" | "stereo_x" | "stereo_y" | "stereo_z"
+        | "stereo_miss" | "observer_x" | "observer_y" | "observer_z" => "length",
+        "beta" | "gamma" | "rapidity" | "rho" | "u" | "doppler" | "intensity" | "stereo_gain"
+        | "observer_beta" | "observer_gamma" | "observer_rapidity" => "1",
         _ => return None,
     })
 }

@@ -15,7 +15,7 @@ pub type UnitOf = fn(&str) -> Option<&'static str>;
 /// Writes a table in one of its formats.
 pub enum TableWriter<W: Write> {
     /// Comma-separated values below a header.
-    Csv(CsvWriter<W>),
+    Csv(Box<CsvWriter<W>>),
     /// `{"units": {COLUMN: UNIT, ...}, "rows": [{COLUMN: VALUE, ...}, ...]}`, a row in each line. Numbers are
     /// the shortest decimals that read back to the same f64, and null where there is none.
     Json(JsonRows<W>),
@@ -36,7 +36,7 @@ impl<W: Write> TableWriter<W> {
             }
             Self::Json(json) => {
                 let names = given.iter().map(csv_in::text).chain(columns.iter().map(ToString::to_string));
-                json.head(names.collect())
+                json.head(&names.collect::<Vec<_>>())
             }
         }
     }
@@ -93,9 +93,9 @@ impl<W: Write> JsonRows<W> {
         Self { out: BufWriter::new(writer), unit, keys: Vec::new(), has_rows: false }
     }
 
-    fn head(&mut self, names: Vec<String>) -> anyhow::Result<()> {
+    fn head(&mut self, names: &[String]) -> anyhow::Result<()> {
         let mut known = BTreeSet::new();
-        for name in &names {
+        for name in names {
             let shown = gamow_platform::messages::excerpt(name);
             anyhow::ensure!(
                 known.insert(name),

@@ -49,7 +49,7 @@
 //! | gamma = 1/sqrt(1 - beta^2) | [`Speed::from_beta`], [`Speed::from_gamma`] |
 //! | eta = artanh(beta) | [`Speed::from_rapidity`] |
 //! | proper acceleration a for tau: eta + a tau | [`Ride`], [`RideMoment::after`] |
-//! | light cone of a point of a rolling wheel (transcendental) | [`wheel`], by [`sighting`] of a [`WheelPoint`] |
+//! | the light cone of a point of a rolling wheel | [`wheel`], [`sighting`] of a [`WheelPoint`] |
 //! | the paper's binocular model | [`published_disparity`] |
 //! | least squares in beta, y, z, x0, and its bootstrap | `fit`, `bootstrap` (feature `fit`) |
 //!

@@ -115,7 +115,9 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     let table = args.measured_noting(|files, all| {
         bar.get_or_insert_with(|| progress::bar(all as u64, "files")).set_position(files as u64);
     });
-    bar.into_iter().for_each(|bar| bar.finish_and_clear());
+    if let Some(bar) = bar {
+        bar.finish_and_clear();
+    }
     let table = table?;
     table.remarks.iter().for_each(messages::remark);
     args.report.write_table(unit, |out| {

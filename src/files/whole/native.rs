@@ -100,7 +100,7 @@ impl ReportArgs {
             let mut table = if self.json {
                 TableWriter::Json(JsonRows::new(out, unit))
             } else {
-                TableWriter::Csv(CsvWriter::new(out))
+                TableWriter::Csv(Box::new(CsvWriter::new(out)))
             };
             write(&mut table)?;
             Ok(table.finish()?)
