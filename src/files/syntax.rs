@@ -20,6 +20,16 @@ pub fn british(name: &str) -> Cow<'_, str> {
     }
 }
 
+/// The name of a key in American spelling, if that is another.
+#[must_use]
+pub fn american(name: &str) -> Option<&'static str> {
+    match name {
+        "centre" => Some("center"),
+        "colour" => Some("color"),
+        _ => None,
+    }
+}
+
 /// Returns the problem that the TOML reader found in `text`, and its range of bytes.
 #[must_use]
 pub fn problem(text: &str, error: &Error) -> (Range<usize>, String) {

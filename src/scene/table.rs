@@ -9,7 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::{Located, SceneProblem};
 use super::model::Models;
-use crate::files::syntax::british;
+use crate::files::syntax::{american, british};
 
 /// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
 const MAX_COORDINATE: f64 = 1e6;
@@ -213,8 +213,7 @@ impl<'a> Table<'a> {
     }
 
     fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
-        let in_american = || self.entries.iter().find(|(name, _)| british(name.get_ref()) == key);
-        self.entries.get(key).or_else(|| in_american().map(|(_, value)| value))
+        self.entries.get(key).or_else(|| self.entries.get(american(key)?))
     }
 
     fn missing(&self, key: &'static str) -> Located {

@@ -254,8 +254,28 @@ test('workers make still views smoother', async t => {
     });
 });
 
-test("a fit, the figures of accuracy and a saved worksheet are made beside the page's thread", async t => {
+// A Wavefront OBJ of 45,000 triangles.
+const hills = () => {
+    const steps = [...Array(151).keys()];
+    const height = (row, column) => (0.3 * Math.sin(row / 9) * Math.cos(column / 7)).toFixed(3);
+    const corners = steps.flatMap(row => steps.map(column => `v ${row / 50} ${column / 50 + 2} ${height(row, column)}`));
+    const faces = steps.slice(1).flatMap(row => steps.slice(1).map(column => {
+        const corner = (row - 1) * 151 + column;
+        return `f ${corner} ${corner + 1} ${corner + 152} ${corner + 151}`;
+    }));
+    return [...corners, ...faces].join('\n');
+};
+
+test("a fit, the figures of accuracy, a saved worksheet and a model are made beside the page's thread", async t => {
     const cases = [
+        ['a model', '#scene=globe&refine=off', async window => {
+            await window.press('Escape');
+            await window.drop('hills.obj', hills());
+            await eventually('a scene', async () => await window.answers() >= 1);
+            await window.act('save the state');
+            await window.press('Enter');
+            assert.match((await window.download()).bytes.toString(), /scene = "hills.obj"/);
+        }],
         ['a fit', '#scene=globe&beta=0.5&plot=fit&refine=off', async window => {
             await eventually('a fit', async () => await window.answers() >= 1);
             await window.press('ArrowUp');

@@ -29,6 +29,8 @@ pub fn configuration() -> WgpuConfiguration {
         label: Some("gamow"),
         // No more than the adapter has: a fixed demand would rule out older OpenGL.
         required_limits: adapter.limits(),
+        // Windows of many sizes in turn would keep large blocks of memory alive, each for a few textures.
+        memory_hints: wgpu::MemoryHints::MemoryUsage,
         ..Default::default()
     });
     let default = WgpuConfiguration::default().on_surface_status;

@@ -79,19 +79,26 @@ impl<'a> Lines<'a> {
 
     /// Takes a corner: three coordinates, and three parts of an sRGB colour if there are any.
     fn corner(&mut self, words: SplitWhitespace<'_>) -> Result<(), String> {
-        let words: Vec<&str> = words.collect();
-        let numbers = words.iter().map(|word| number(word)).collect::<Result<Vec<_>, _>>()?;
-        if numbers.len() < 3 {
+        let (mut count, mut first, mut is_colour) = (0, [""; 6], true);
+        for word in words {
+            let number = number(word)?;
+            is_colour &= count < 3 || (0.0..=1.0).contains(&number);
+            if let Some(place) = first.get_mut(count) {
+                *place = word;
+            }
+            count += 1;
+        }
+        if count < 3 {
             return Err("a corner needs three coordinates".to_owned());
         }
-        let has_colour = numbers.len() == 6;
-        if has_colour && numbers[3..].iter().any(|part| !(0.0..=1.0).contains(part)) {
+        let has_colour = count == 6;
+        if has_colour && !is_colour {
             return Err("each part of a colour must lie between 0 and 1".to_owned());
         }
         self.corners += 1;
         check_count(self.corners / 3)?;
-        let colour = if has_colour { &words[3..] } else { &["nan"; 3] };
-        self.put("v", words[..3].iter().chain(colour));
+        let colour = if has_colour { &first[3..] } else { &["nan"; 3] };
+        self.put("v", first[..3].iter().chain(colour));
         Ok(())
     }
 
@@ -114,10 +121,11 @@ impl<'a> Lines<'a> {
         let mut count: usize = 0;
         for word in words {
             let mut parts = word.split('/');
-            let corner = numbered(parts.next().unwrap_or_default(), self.corners, "corner")?;
-            let _ = write!(self.line, " {corner}");
+            self.line.push(' ');
+            put_number(&mut self.line, parts.next().unwrap_or_default(), self.corners, "corner")?;
             if let Some(part) = parts.next().filter(|part| !part.is_empty() && self.in_textures > 0) {
-                let _ = write!(self.line, "/{}", numbered(part, self.in_textures, "place in a texture")?);
+                self.line.push('/');
+                put_number(&mut self.line, part, self.in_textures, "place in a texture")?;
             }
             count += 1;
         }
@@ -162,15 +170,21 @@ fn number(word: &str) -> Result<f64, String> {
     word.parse().map_err(|_| format!("{} is not a number", shortened(word)))
 }
 
-/// Returns the number from 1 of what a face calls so: one of `count`, from 1, or below 0 from the last one
-/// back.
-fn numbered(word: &str, count: usize, what: &str) -> Result<usize, String> {
+/// Adds the number from 1 of what a face calls so: one of `count`, from 1, or below 0 from the last one back.
+fn put_number(line: &mut String, word: &str, count: usize, what: &str) -> Result<(), String> {
     let number = word.parse::<i64>().ok().and_then(|number| match number {
         0.. => usize::try_from(number).ok(),
         _ => usize::try_from(number.unsigned_abs()).ok().and_then(|back| (count + 1).checked_sub(back)),
     });
     let named = number.filter(|number| (1..=count).contains(number));
-    named.ok_or_else(|| format!("a face names {what} {}, and so far there are {count}", shortened(word)))
+    let missing = || format!("a face names {what} {}, and so far there are {count}", shortened(word));
+    let number = named.ok_or_else(missing)?;
+    if word.starts_with(|first: char| first.is_ascii_digit()) {
+        line.push_str(word);
+    } else {
+        let _ = write!(line, "{number}");
+    }
+    Ok(())
 }
 
 /// The beginning of a word, for a message.

@@ -74,7 +74,7 @@ impl<'a> Iterator for Statements<'a> {
         self.read += 1;
         let (first, mut statement) = (self.read, Cow::from(line));
         // The name of a folder may end a comment.
-        while !statement.contains('#') && statement.ends_with('\\') {
+        while statement.ends_with('\\') && !statement.contains('#') {
             let joined = statement.to_mut();
             joined.pop();
             let Some(line) = self.lines.next() else { break };

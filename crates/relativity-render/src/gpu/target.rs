@@ -1,5 +1,7 @@
 //! Render targets: an off-screen texture per eye, and its readback.
 
+use std::sync::OnceLock;
+
 use super::buffers::{frame_buffer, vertex_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
@@ -30,12 +32,34 @@ pub struct EyeTarget {
     size: [u32; 2],
     picture: wgpu::Texture,
     view: wgpu::TextureView,
-    /// The bodies alone, premultiplied by coverage, in linear light.
-    pub(crate) bodies: wgpu::TextureView,
-    pub(crate) samples: wgpu::TextureView,
-    pub(crate) depth: wgpu::TextureView,
+    layers: OnceLock<BodyLayers>,
     pub(crate) frames: wgpu::Buffer,
     pub(crate) vertices: wgpu::Buffer,
+}
+
+/// The layers that a device draws the bodies on: nine times the memory of the picture. One that was
+/// made elsewhere needs none.
+#[derive(Debug)]
+pub(crate) struct BodyLayers {
+    /// The bodies alone, premultiplied by coverage, in linear light.
+    pub bodies: wgpu::TextureView,
+    pub samples: wgpu::TextureView,
+    pub depth: wgpu::TextureView,
+}
+
+impl BodyLayers {
+    fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
+        use wgpu::TextureUsages as Usage;
+        let layer = |label, samples, format, usage| {
+            let texture = texture(gpu, label, size, samples, format, Usage::RENDER_ATTACHMENT | usage);
+            texture.create_view(&wgpu::TextureViewDescriptor::default())
+        };
+        Self {
+            bodies: layer("bodies", 1, LINEAR_FORMAT, Usage::TEXTURE_BINDING),
+            samples: layer("samples", SAMPLES, LINEAR_FORMAT, Usage::empty()),
+            depth: layer("depth", SAMPLES, DEPTH_FORMAT, Usage::empty()),
+        }
+    }
 }
 
 impl EyeTarget {
@@ -45,20 +69,14 @@ impl EyeTarget {
         use wgpu::TextureUsages as Usage;
         let limit = gpu.largest_side();
         let size = size.map(|v| v.clamp(1, limit));
-        let whole = wgpu::TextureViewDescriptor::default();
-        let layer = |label, samples, format, usage| {
-            let usage = Usage::RENDER_ATTACHMENT | usage;
-            texture(gpu, label, size, samples, format, usage)
-        };
         let exchanged = Usage::TEXTURE_BINDING | Usage::COPY_SRC | Usage::COPY_DST;
-        let picture = layer("picture", 1, ENCODED_FORMAT, exchanged);
+        let usage = Usage::RENDER_ATTACHMENT | exchanged;
+        let picture = texture(gpu, "picture", size, 1, ENCODED_FORMAT, usage);
         Self {
             size,
-            view: picture.create_view(&whole),
+            view: picture.create_view(&wgpu::TextureViewDescriptor::default()),
             picture,
-            bodies: layer("bodies", 1, LINEAR_FORMAT, Usage::TEXTURE_BINDING).create_view(&whole),
-            samples: layer("samples", SAMPLES, LINEAR_FORMAT, Usage::empty()).create_view(&whole),
-            depth: layer("depth", SAMPLES, DEPTH_FORMAT, Usage::empty()).create_view(&whole),
+            layers: OnceLock::new(),
             frames: frame_buffer(gpu, 1),
             vertices: vertex_buffer(gpu, 0),
         }
@@ -76,8 +94,14 @@ impl EyeTarget {
         &self.view
     }
 
+    /// Returns the layers that bodies are drawn on, which the first call makes.
+    pub(crate) fn layers(&self, gpu: &Gpu) -> &BodyLayers {
+        self.layers.get_or_init(|| BodyLayers::new(gpu, self.size))
+    }
+
     /// Shows `picture`, which was made elsewhere and has its size.
-    pub fn write(&self, gpu: &Gpu, picture: &Picture) {
+    pub fn write(&mut self, gpu: &Gpu, picture: &Picture) {
+        self.layers.take();
         let layout = wgpu::TexelCopyBufferLayout {
             offset: 0,
             bytes_per_row: Some(4 * self.size[0]),

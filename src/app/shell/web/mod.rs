@@ -18,6 +18,7 @@ use crate::app::commands::saving::SavingStep;
 use crate::app::shell::App;
 use crate::app::shell::persistence::{Keeper, Loaded, recall};
 use crate::app::state::State;
+use crate::app::state::files::reader::SceneReading;
 use crate::app::state::fitting::FitSteps;
 use crate::app::state::notice::Notice;
 use crate::app::state::stage::Stage;
@@ -65,6 +66,7 @@ fn serve(kind: &str) {
         FitSteps::NAME => serve_work::<FitSteps>(),
         MethodSteps::NAME => serve_work::<MethodSteps>(),
         PictureSteps::NAME => serve_work::<PictureSteps>(),
+        SceneReading::NAME => serve_work::<SceneReading>(),
         SavingStep::NAME => serve_work::<SavingStep>(),
         ThumbnailSteps::NAME => serve_work::<ThumbnailSteps>(),
         _ => instances::fail("there is no such work"),

@@ -25,7 +25,13 @@ pub struct Pace {
 impl Pace {
     /// Draws `request` into `target`, and returns how many pixels are one each way: as many as it takes, from
     /// those of the last picture of the scene on. Those that are not drawn in time by then are missing.
-    pub fn draw(&mut self, renderers: &Renderers, gpu: &Gpu, request: &Request, target: &EyeTarget) -> u32 {
+    pub fn draw(
+        &mut self,
+        renderers: &Renderers,
+        gpu: &Gpu,
+        request: &Request,
+        target: &mut EyeTarget,
+    ) -> u32 {
         let Request { scene, view, appearance, .. } = request;
         if self.scene.as_ref() != Some(scene) {
             *self = Self { scene: Some(scene.clone()), halvings: 0 };

@@ -37,7 +37,9 @@ pub fn text(bytes: &[u8], companions: &Companions<'_>) -> Result<Text, String> {
     let text = text_of(glb.as_ref().map_or(bytes, |glb| &glb.json));
     let root: Root = deserialize::from_str(&text).map_err(|error| no_gltf(&error))?;
     check(&root, companions)?;
-    let extended = Extended::parse(&text)?;
+    // Most files have none: to look for them is cheaper than to read the text once more.
+    let has_extensions = text.contains("\"extensions\"");
+    let extended = if has_extensions { Extended::parse(&text)? } else { Extended::default() };
     drop(text);
     let blob = glb.and_then(|glb| glb.bin).map(Cow::into_owned);
     Ok(Text { document: Document::from_json_without_validation(root), extended, blob })

@@ -20,7 +20,7 @@ const BLENDED: &str =
     "transparency is left out: a surface is drawn where its picture is at least half opaque";
 
 /// The paint that a material gives its triangles.
-struct Coat {
+pub(super) struct Coat {
     /// The base colour, linear sRGB, and the opacity.
     factor: [f32; 4],
     /// The texture that multiplies it.
@@ -30,15 +30,15 @@ struct Coat {
 }
 
 impl ModelReader<'_> {
-    /// Whether triangles of `material` are masked wherever they are.
-    pub(super) fn is_unseen(&self, material: &Material<'_>) -> bool {
-        let opacity = self.coat(material).factor[3];
+    /// Whether triangles of `material`, which has this `coat`, are masked wherever they are.
+    pub(super) fn is_unseen(material: &Material<'_>, coat: &Coat) -> bool {
+        let opacity = coat.factor[3];
         material.alpha_mode() == AlphaMode::Mask && opacity < material.alpha_cutoff().unwrap_or(HALF_OPAQUE)
     }
 
     /// The coat of `material`: its base colour, or its diffuse colour beside a specular one; where that is
     /// black, its own light instead.
-    fn coat(&self, material: &Material<'_>) -> Coat {
+    pub(super) fn coat(&self, material: &Material<'_>) -> Coat {
         let base = material.pbr_metallic_roughness();
         let texture = || base.base_color_texture().map(TextureInfo::from);
         let (factor, texture) = match self.extended.glossiness(material.index()) {
@@ -63,16 +63,19 @@ impl ModelReader<'_> {
         own
     }
 
-    /// Adds the colours of the `count` corners of `primitive` and their places in its texture, and returns
-    /// the number of that.
-    pub(super) fn add_colours(&mut self, primitive: &Primitive<'_>, count: usize) -> Result<u32, String> {
-        let material = primitive.material();
-        let coat = self.coat(&material);
-        if material.alpha_mode() == AlphaMode::Blend {
+    /// Adds the colours of the `count` corners of `primitive`, by the `coat` of its material, and their
+    /// places in its texture, and returns the number of that.
+    pub(super) fn add_colours(
+        &mut self,
+        primitive: &Primitive<'_>,
+        count: usize,
+        coat: &Coat,
+    ) -> Result<u32, String> {
+        if primitive.material().alpha_mode() == AlphaMode::Blend {
             self.companions.remark(BLENDED.to_owned());
         }
         self.add_paints(primitive, count, coat.factor)?;
-        self.add_texture_places(primitive, count, &coat)
+        self.add_texture_places(primitive, count, coat)
     }
 
     /// Adds the paints of the `count` corners of `primitive`: its material's, times their own.

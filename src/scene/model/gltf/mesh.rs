@@ -1,13 +1,24 @@
 //! The triangles of glTF meshes.
 
+use std::rc::Rc;
+
 use glam::{DMat4, DVec3};
 use gltf::mesh::{Mode, Semantic};
-use gltf::{Node, Primitive};
+use gltf::{Accessor, Node, Primitive};
 
 use super::super::super::light::measured;
 use super::super::accessor::{PLACES, check, read, read_indices};
 use super::super::limits::check_count;
 use super::{ModelReader, deform};
+
+/// The numbers of a mesh, if there is one, and of a primitive in it.
+pub(super) type MeshKey = (Option<usize>, usize);
+
+/// A primitive in the axes of its mesh.
+pub(super) struct LocalMesh {
+    corners: Vec<DVec3>,
+    indices: Vec<u32>,
+}
 
 impl ModelReader<'_> {
     /// Adds the triangles of a `primitive` of `node`, as `placed`; a skinned one is where its joints are.
@@ -25,18 +36,18 @@ impl ModelReader<'_> {
             return Ok(());
         };
         let count = places.count();
-        check(&places, &PLACES, &self.buffers)?;
         check_count(self.model.corners.len().saturating_add(count) / 3)?;
-        let indices = self.indices(primitive, count)?;
+        let local = self.local(primitive, node, &places)?;
+        let indices = &local.indices;
         let triangles =
             if mode == Mode::Triangles { indices.len() / 3 } else { indices.len().saturating_sub(2) };
-        if triangles == 0 || self.is_unseen(&primitive.material()) {
+        let material = primitive.material();
+        let coat = self.coat(&material);
+        if triangles == 0 || Self::is_unseen(&material, &coat) {
             return Ok(());
         }
         check_count(self.model.triangles.len() + triangles)?;
-        let corner = |corner: [f32; 3]| DVec3::from(corner.map(f64::from));
-        let mut corners: Vec<DVec3> =
-            read::<3>(&places, &PLACES, &self.buffers, false)?.into_iter().map(corner).collect();
+        let mut corners = local.corners.clone();
         deform::morph(&mut corners, primitive, node, &self.buffers, &mut self.moves)?;
         let joints = self.joints(node)?.filter(|_| primitive.get(&Semantic::Joints(0)).is_some());
         let placed = match &joints {
@@ -46,7 +57,7 @@ impl ModelReader<'_> {
             }
             None => placed,
         };
-        let texture = self.add_colours(primitive, count)?;
+        let texture = self.add_colours(primitive, count, &coat)?;
         let sides = joints.as_ref().and_then(|joints| joints.first()).unwrap_or(&placed);
         let is_mirrored = sides.determinant() < 0.0;
         let model = &mut self.model;
@@ -58,10 +69,31 @@ impl ModelReader<'_> {
             model.reversed.push(is_reversed);
         }
         model.texture_numbers.resize(model.triangles.len(), texture);
-        let measured = primitive.material().name().map_or(Ok(None), measured)?;
+        let measured = material.name().map_or(Ok(None), measured)?;
         model.materials.resize(model.triangles.len(), measured);
         model.corners.extend(corners.into_iter().map(|corner| placed.transform_point3(corner).to_array()));
         Ok(())
+    }
+
+    /// Returns the corners of `primitive` of `node`, which are at these `places`, and how its triangles name
+    /// them.
+    fn local(
+        &mut self,
+        primitive: &Primitive<'_>,
+        node: &Node<'_>,
+        places: &Accessor<'_>,
+    ) -> Result<Rc<LocalMesh>, String> {
+        let key = (node.mesh().map(|mesh| mesh.index()), primitive.index());
+        if let Some((_, local)) = self.latest.as_ref().filter(|(known, _)| *known == key) {
+            return Ok(Rc::clone(local));
+        }
+        check(places, &PLACES, &self.buffers)?;
+        let indices = self.indices(primitive, places.count())?;
+        let corner = |corner: [f32; 3]| DVec3::from(corner.map(f64::from));
+        let corners = read::<3>(places, &PLACES, &self.buffers, false)?.into_iter().map(corner).collect();
+        let local = Rc::new(LocalMesh { corners, indices });
+        self.latest = Some((key, Rc::clone(&local)));
+        Ok(local)
     }
 
     /// The numbers of corners of `primitive`, which has `count` of them, as its triangles name them.

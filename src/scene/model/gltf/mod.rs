@@ -23,6 +23,7 @@ mod nodes;
 
 use std::collections::HashMap;
 use std::iter;
+use std::rc::Rc;
 
 use glam::DMat4;
 use gltf::Document;
@@ -31,6 +32,7 @@ use relativity_render::RawModel;
 use self::deform::{Joints, Moves};
 use self::document::Text;
 use self::extensions::Extended;
+use self::mesh::{LocalMesh, MeshKey};
 use self::nodes::{PlacedNode, Tree};
 use super::companions::Companions;
 use super::parts::{NamedModel, NamedPart};
@@ -63,6 +65,7 @@ fn read(text: Text, companions: &Companions<'_>) -> Result<NamedModel, String> {
         textures: Textures::new(),
         joints: HashMap::new(),
         moves: Moves::default(),
+        latest: None,
         model: RawModel::default(),
     };
     // Parts that have not ended, and how deep their nodes lie.
@@ -107,12 +110,13 @@ struct ModelReader<'a> {
     tree: &'a Tree<'a>,
     buffers: Vec<Vec<u8>>,
     companions: &'a Companions<'a>,
-    /// By the numbers that the file has for them.
     /// By their numbers in the file, and their cutoffs.
     textures: Textures<(usize, u16)>,
     /// The joints of skins, by the numbers of these.
     joints: HashMap<usize, Joints>,
     moves: Moves,
+    /// The mesh read last: often the next node has it, too.
+    latest: Option<(MeshKey, Rc<LocalMesh>)>,
     model: RawModel,
 }
 

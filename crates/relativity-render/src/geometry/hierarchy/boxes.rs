@@ -9,6 +9,7 @@ pub const WIDTH: usize = LANES;
 
 /// Boxes, counted from the middle of the group; those that lack are no box.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Boxes {
     /// Middles of the boxes, part by part.
     pub center: [[f32; WIDTH]; 3],

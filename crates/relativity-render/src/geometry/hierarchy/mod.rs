@@ -33,7 +33,8 @@ const MOST_IN_ORDER: usize = 64;
 const MOST_WAITING: usize = MOST_IN_ORDER + WIDTH + DEEPEST * (WIDTH - 1);
 
 /// The hierarchy of those bodies of a group that stand still in it.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Hierarchy {
     /// The first of them is around all, if there are any.
     nodes: Vec<Node>,
@@ -41,6 +42,7 @@ pub struct Hierarchy {
 
 /// A node: its child boxes and what each holds, aligned to lines of the cache.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(align(64))]
 struct Node {
     boxes: Boxes,
@@ -50,6 +52,7 @@ struct Node {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum Holds {
     Nothing,
     /// Boxes, which are a node.

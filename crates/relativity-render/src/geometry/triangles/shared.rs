@@ -1,5 +1,4 @@
-//! The written form of the triangles that bodies share, for another instance of the program: without their
-//! hierarchy, which reading builds anew.
+//! The written form of the triangles that bodies share, for another instance of the program.
 
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
@@ -26,6 +25,8 @@ struct Saved<'a> {
     is_two_sided: bool,
     middle: DVec3,
     half: DVec3,
+    /// It takes longer to build than to send.
+    hierarchy: Cow<'a, Hierarchy>,
     fingerprint: u64,
 }
 
@@ -53,6 +54,7 @@ impl<'a> From<&'a Triangles> for Saved<'a> {
             is_two_sided,
             middle,
             half,
+            hierarchy: Cow::Borrowed(&triangles.hierarchy),
             fingerprint,
         }
     }
@@ -71,7 +73,7 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<
     if !saved.texture_numbers.iter().all(has) {
         return Err(serde::de::Error::custom("a triangle has a texture that there is not"));
     }
-    let mut read = Triangles {
+    let read = Triangles {
         corners: saved.corners.into_owned(),
         faces: saved.faces.into_owned(),
         reversed: saved.reversed.into_owned(),
@@ -81,12 +83,11 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<
         texture_numbers: saved.texture_numbers.into_owned(),
         texture_places: saved.texture_places.into_owned(),
         is_two_sided: saved.is_two_sided,
-        hierarchy: Hierarchy::default(),
+        hierarchy: saved.hierarchy.into_owned(),
         middle: saved.middle,
         half: saved.half,
         fingerprint: saved.fingerprint,
         edges: OnceLock::new(),
     };
-    read.hierarchy = Hierarchy::new(read.pieces(), DVec3::ZERO);
     Ok(Some(Arc::new(read)))
 }

@@ -1,29 +1,38 @@
-//! Files read for the window: each by a thread of its own, so that no frame waits for a slow disc or a long
-//! file.
+//! Files read for the window, so that no frame waits for a slow disc or a long file: each by a thread of its
+//! own, in a page scenes by another instance of the program.
 
-use std::ffi::OsStr;
+#[cfg(not(feature = "desktop"))]
+mod page;
+mod thread;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
 use eframe::egui::Context;
 use gamow_platform::clock::Instant;
-use gamow_platform::{files, threads};
+use gamow_platform::files;
 use relativity_render::PreparedScene;
+use serde::{Deserialize, Serialize};
 
+#[cfg(not(feature = "desktop"))]
+use self::page::Place;
+#[cfg(not(feature = "desktop"))]
+pub use self::page::SceneReading;
+#[cfg(feature = "desktop")]
+use self::thread::Place;
 use crate::app::tools::waker::Woken;
 use crate::estimate::data_file::DataFile;
 use crate::flags::choices::FileKind;
 use crate::lesson::{Lesson, Library, Sequence};
 use crate::scene::Scene;
-use crate::settings::{Settings, SettingsError, is_link, looks_like_settings};
+use crate::settings::{Settings, SettingsError, is_link, looks_like_settings, message};
 
 /// A file that is read sooner than this is not announced.
 const GRACE: Duration = Duration::from_millis(300);
 
 /// The use that is made of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Use {
     /// The contents are shown, whatever their kind.
     Show,
@@ -45,15 +54,17 @@ impl Use {
 }
 
 /// A file to be read.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Errand {
     /// Path of the file to read.
     pub path: PathBuf,
     /// The purpose of reading the file.
     pub purpose: Use,
     /// The window's present settings, which complete the contents of the file.
+    #[serde(with = "message::all")]
     pub settings: Settings,
-    /// The lessons that there are.
+    /// The lessons that there are, which no scene asks for.
+    #[serde(skip, default = "Library::own")]
     pub library: Arc<Library>,
 }
 
@@ -90,6 +101,21 @@ pub enum Contents {
     Data(DataFile),
 }
 
+/// A scene and the settings that a file leads to.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Shown {
+    #[serde(with = "message::boxed")]
+    settings: Box<Settings>,
+    scene: Scene,
+    is_scene: bool,
+}
+
+impl From<Shown> for Contents {
+    fn from(Shown { settings, scene, is_scene }: Shown) -> Self {
+        Self::Settings { settings, scene: Box::new(scene.into()), is_scene }
+    }
+}
+
 /// A scene that is ready to be drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadyScene {
@@ -110,18 +136,31 @@ impl Errand {
     #[must_use]
     pub fn read(self) -> ReadFile {
         let contents = match self.purpose {
-            Use::Show => match self.path.extension().map(OsStr::to_ascii_lowercase) {
-                Some(ending) if ending == "csv" => self.data(),
-                Some(ending) if ending == "md" => self.lesson(),
-                Some(ending) if ending == "txt" => self.sequence(),
-                _ => self.shown(),
+            Use::Show => match self.ending().as_deref() {
+                Some("csv") => self.data(),
+                Some("md") => self.lesson(),
+                Some("txt") => self.sequence(),
+                _ => self.shown().map(Shown::into),
             },
             Use::Fit => self.data(),
             Use::RenewScene => self.scene(),
-            Use::RenewSettings => self.shown(),
+            Use::RenewSettings => self.shown().map(Shown::into),
             Use::RenewLesson => self.lesson(),
         };
         ReadFile { path: self.path, purpose: self.purpose, contents }
+    }
+
+    /// Whether the file leads to settings, and so to a scene with its models.
+    #[cfg(not(feature = "desktop"))]
+    fn leads_to_scene(&self) -> bool {
+        let is_other = |ending: &str| ["csv", "md", "txt"].contains(&ending);
+        self.purpose == Use::RenewSettings
+            || self.purpose == Use::Show && !self.ending().as_deref().is_some_and(is_other)
+    }
+
+    /// The ending of the file's name, in small letters.
+    fn ending(&self) -> Option<String> {
+        self.path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase())
     }
 
     fn data(&self) -> Result<Contents, String> {
@@ -143,11 +182,11 @@ impl Errand {
         Ok(Contents::Scene(Box::new(scene.into()), self.settings.light.surroundings))
     }
 
-    fn shown(&self) -> Result<Contents, String> {
+    fn shown(&self) -> Result<Shown, String> {
         let is_scene = is_scene(&self.path);
         let settings = self.led_to(is_scene).map_err(|error| error.to_string())?;
         let scene = settings.opened_scene().map_err(|error| error.to_string())?;
-        Ok(Contents::Settings { settings: Box::new(settings), scene: Box::new(scene.into()), is_scene })
+        Ok(Shown { settings: Box::new(settings), scene, is_scene })
     }
 
     /// The settings that the file leads to. What it does not say of the window's parts and of the layout
@@ -172,8 +211,7 @@ fn is_scene(path: &Path) -> bool {
 /// The files that are being read.
 pub struct Reader {
     woken: Woken,
-    read: Receiver<(u64, ReadFile)>,
-    sender: Sender<(u64, ReadFile)>,
+    place: Place,
     begun: u64,
     underway: Vec<PendingRead>,
 }
@@ -189,8 +227,8 @@ impl Reader {
     /// Creates a reader that requests a repaint after each file it has read.
     #[must_use]
     pub fn new(ctx: Context) -> Self {
-        let (sender, read) = channel();
-        Self { woken: Woken::new(ctx), read, sender, begun: 0, underway: Vec::new() }
+        let place = Place::new(&ctx);
+        Self { woken: Woken::new(ctx), place, begun: 0, underway: Vec::new() }
     }
 
     /// Begins `errand`. A file that is opened takes the place of one that is still being read to be opened,
@@ -205,19 +243,13 @@ impl Reader {
         self.underway.retain(|other| !replaces(other));
         let number = self.begun;
         self.underway.push(PendingRead { number, path: path.clone(), purpose, since: Instant::now() });
-        let (sender, waker) = (self.sender.clone(), self.woken.waker());
-        // Nothing waits for this thread: a disc that does not answer keeps nobody from leaving.
-        threads::spawn(move || {
-            if sender.send((number, errand.read())).is_ok() {
-                waker.wake();
-            }
-        });
+        self.place.begin(number, errand);
     }
 
     /// Takes the files read since the last call, except those no longer wanted.
     pub fn finished(&mut self) -> Vec<ReadFile> {
         let mut finished = Vec::new();
-        for (number, file) in self.read.try_iter() {
+        for (number, file) in self.place.finished() {
             if let Some(place) = self.underway.iter().position(|underway| underway.number == number) {
                 self.underway.remove(place);
                 finished.push(file);
@@ -228,6 +260,7 @@ impl Reader {
 
     /// Gives up what is being read to be opened.
     pub fn stop(&mut self) {
+        self.place.stop();
         self.underway.retain(|underway| !underway.purpose.opens());
     }
 
