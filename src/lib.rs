@@ -33,6 +33,7 @@ mod plot;
 pub mod quantity;
 pub mod scene;
 pub mod settings;
+pub mod similar;
 pub mod studio;
 mod time_range;
 pub mod units;

@@ -3,10 +3,9 @@
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
-use gamow_platform::{interrupt, limits, messages};
+use gamow_platform::{environment, interrupt, limits, messages};
 
-use clap::Parser as _;
-use gamow::cli::{self, Cli};
+use gamow::cli;
 
 fn main() -> ExitCode {
     limits::fail_beyond_file_size();
@@ -19,11 +18,7 @@ fn main() -> ExitCode {
             writeln!(out, "[{time} {level} {}] {}", record.target(), messages::shown(&text))
         })
         .init();
-    let outcome = match Cli::try_parse() {
-        Ok(cli) => cli::run(cli).map(|()| ExitCode::SUCCESS),
-        Err(error) => cli::explain(&error),
-    };
-    match outcome {
+    match cli::run(environment::arguments().collect()) {
         Ok(code) => code,
         Err(error) if reader_has_gone(&error) => ExitCode::SUCCESS,
         Err(error) => ExitCode::from(messages::failure(&error)),

@@ -295,7 +295,12 @@ fn a_preset_is_a_state_by_its_name() {
     assert_eq!(Preset::start().name, "real-light");
     let line = Line::try_parse_from(["gamow", "--state", "streets"]).expect("it is a flag");
     let error = line.args.state(Settings::default()).expect_err("there is none").to_string();
-    assert!(error.starts_with("no preset is called `streets`: there are real-light, street, "), "{error}");
+    assert!(
+        error.starts_with(
+            "no preset is called `streets` (did you mean `street`?): there are real-light, street, "
+        ),
+        "{error}"
+    );
 }
 
 #[test]

@@ -14,6 +14,6 @@ pub use self::header::{Header, InputError};
 pub use self::model::{HELP, ModelArgs};
 pub use self::names::{
     ANGLES, CLOCK, OBSERVER_DIRECTION, OBSERVER_PLACE, OBSERVER_PREFIX, OBSERVER_SPEED, ROLL, TURN, WHEEL,
-    degrees, observer_speed,
+    degrees, observer_speed, unit,
 };
 pub use self::observation::{GivenInputs, Observation};

@@ -57,6 +57,25 @@ pub const CLOCK: &str = "clock";
 /// Beginning of the names of an observer's columns.
 pub const OBSERVER_PREFIX: &str = "observer_";
 
+/// Returns the unit of the values in the `column` of this name, as tables in JSON give it: `1` for a ratio,
+/// `rad` or `deg`, and `length` or `time`, which have one unit, with c = 1. `None` of a column that is not
+/// known.
+#[must_use]
+pub fn unit(column: &str) -> Option<&'static str> {
+    let column = column.trim_start_matches("sigma_");
+    let column = column.strip_suffix("_left").or_else(|| column.strip_suffix("_right")).unwrap_or(column);
+    Some(match column {
+        "T" | "t" | "tau" | CLOCK => "time",
+        "phi" | "theta" | "dphi" | "dtheta" | "angle" | "v" => "rad",
+        ROLL | TURN | "observer_azimuth" | "observer_elevation" => "deg",
+        "d" | "x" | "y" | "z" | "x0" | "distance" | "wheel_radius" | "stereo_x" | "stereo_y" | "stereo_z"
+        | "stereo_miss" | "observer_x" | "observer_y" | "observer_z" => "length",
+        "beta" | "gamma" | "rapidity" | "rho" | "u" | "doppler" | "intensity" | "stereo_gain"
+        | "observer_beta" | "observer_gamma" | "observer_rapidity" => "1",
+        _ => return None,
+    })
+}
+
 /// Returns the degrees that lead back to just these radians, with as few digits as that takes.
 #[must_use]
 pub fn degrees(radians: f64) -> f64 {
@@ -78,7 +97,7 @@ pub const fn observer_speed(parameter: SpeedParameter) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::Quantity;
+    use crate::quantity::{Dimension, Quantity};
 
     #[test]
     fn degrees_lead_back() {
@@ -86,6 +105,35 @@ mod tests {
             let given = f64::from(tenths) / 10.0;
             assert_eq!(degrees(given.to_radians()), given);
         }
+    }
+
+    /// The plots know the dimensions of quantities, which are columns' too.
+    #[test]
+    fn units_are_those_of_quantities() {
+        let quantities = Quantity::READ_OUT.into_iter().chain(Quantity::DISPARITIES);
+        for quantity in quantities.chain([Quantity::U, Quantity::V, Quantity::StereoGain, Quantity::Distance])
+        {
+            let expected = match quantity.row().dimension {
+                Dimension::Angle => "rad",
+                Dimension::Length => "length",
+                Dimension::Time => "time",
+                Dimension::Ratio => "1",
+            };
+            assert_eq!(unit(quantity.row().id), Some(expected), "{quantity:?}");
+        }
+        let inputs =
+            [ROLL, TURN, CLOCK].iter().chain(&WHEEL).chain(&OBSERVER_SPEED).chain(&OBSERVER_DIRECTION);
+        let all = COLUMNS
+            .iter()
+            .chain(&TURNED)
+            .chain(&MOVING)
+            .chain(&CONFORMAL)
+            .chain(&OBSERVER_PLACE)
+            .chain(inputs);
+        for column in all {
+            assert!(unit(column).is_some(), "{column}");
+        }
+        assert_eq!(["name", "", "sigma", "x_middle"].map(unit), [None; 4]);
     }
 
     #[test]

@@ -6,10 +6,9 @@ use relativity_core::{Aperture, SourcePoint, StereoError};
 
 use crate::columns::{
     CLOCK, GivenInputs, HELP, ModelArgs, OBSERVER_DIRECTION, OBSERVER_PLACE, Observation, ObservationError,
-    ROLL, TURN, WHEEL, observer_speed,
+    ROLL, TURN, WHEEL, observer_speed, unit,
 };
-use crate::files::csv_out;
-use crate::files::whole::OutArgs;
+use crate::files::whole::ReportArgs;
 use crate::flags::{
     COORDINATES, GivenObserver, HeadArgs, ObserverArgs, SpeedArgs, SpeedParameter, WheelArgs, finite_number,
     within,
@@ -19,7 +18,7 @@ use crate::time_range::{passage_times, time_within};
 /// Speed of the paper's cyclist.
 const CYCLIST_BETA: f64 = 0.9;
 
-/// Writes what two eyes see of one point over a range of observation times, as CSV.
+/// Writes what two eyes see of one point over a range of observation times, as CSV or JSON.
 ///
 /// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names
 /// that `gamow eval` reads; roll and turn, in degrees, are among them where the head is tilted or turned, and
@@ -36,8 +35,6 @@ pub struct CurveArgs {
     /// Separation of the eyes.
     #[arg(long, default_value_t = 0.1, value_parser = finite_number, allow_hyphen_values = true)]
     d: f64,
-    #[command(flatten)]
-    head: HeadArgs,
     /// Depth of the point.
     #[arg(long, default_value_t = 3.0, value_parser = finite_number, allow_hyphen_values = true)]
     y: f64,
@@ -47,10 +44,6 @@ pub struct CurveArgs {
     /// The point's x at t = 0.
     #[arg(long, default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true)]
     x0: f64,
-    #[command(flatten)]
-    wheel: WheelArgs,
-    #[command(flatten)]
-    observer: ObserverArgs,
     /// First observation time [default: when the point, or the hub of its wheel, is seen at x = -2 R, R being
     /// its distance at x = 0]
     #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
@@ -62,8 +55,14 @@ pub struct CurveArgs {
     #[arg(long, default_value_t = 201, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=1_000_000_000))]
     samples: u64,
     #[command(flatten)]
-    out: OutArgs,
-    #[command(flatten)]
+    report: ReportArgs,
+    #[command(flatten, next_help_heading = "Head")]
+    head: HeadArgs,
+    #[command(flatten, next_help_heading = "Wheel")]
+    wheel: WheelArgs,
+    #[command(flatten, next_help_heading = "Observer")]
+    observer: ObserverArgs,
+    #[command(flatten, next_help_heading = "Columns")]
     model: ModelArgs,
 }
 
@@ -73,6 +72,7 @@ Examples:
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5 --model published
   gamow curve --stereo | cut -d, -f 6,23-26
   gamow curve --stereo --roll 90
+  gamow curve --samples 5 --json
   gamow curve --conformal --samples 5 | cut -d, -f 6,23-26
   gamow curve --wheel-radius 0.525 --rho 1 --angle 0 --from -2 --to 8
   gamow curve --beta 0 --x0 5 --observer-beta 0.9 --stereo
@@ -81,16 +81,19 @@ Examples:
 /// Runs the command `gamow curve`.
 pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
     let curve = args.curve()?; // so that a bad flag leaves no header behind on standard output
-    args.out.write(|out| {
-        let mut output = csv_out::CsvWriter::new(out);
-        output.write(&mut curve.columns()?.into_iter().collect(), &[])?;
+    let progress = args.report.count_of_rows();
+    args.report.write_table(unit, |table| {
+        table.head(&mut ByteRecord::new(), &curve.columns()?)?;
         let mut row = ByteRecord::new();
-        for values in curve.rows() {
+        for (count, values) in (0..).zip(curve.rows()) {
             row.clear();
-            output.write(&mut row, &values?)?;
+            table.row(&mut row, &values?)?;
+            progress.note(count);
         }
-        Ok(output.flush()?)
-    })
+        Ok(())
+    })?;
+    progress.end();
+    Ok(())
 }
 
 /// A table of what two eyes see of one point.

@@ -40,9 +40,6 @@ pub struct FitArgs {
     /// Separation of the eyes; without it, the file's column d.
     #[arg(long, value_parser = separation, allow_hyphen_values = true)]
     d: Option<f64>,
-    /// Tilt and turn of the head; without them, the file's columns roll and turn, else straight.
-    #[command(flatten)]
-    head: HeadArgs,
     /// Model of the two eyes' views.
     #[arg(long, value_enum, default_value_t)]
     model: Model,
@@ -51,10 +48,10 @@ pub struct FitArgs {
     curves: Option<Curves>,
     /// Number of bootstrap replicates, up to 10 million; 0 for none. Ctrl-C ends with the report of those
     /// that were drawn
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_REPLICATES, value_parser = replicates)]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_REPLICATES, value_parser = replicates, help_heading = "Bootstrap")]
     bootstrap: usize,
     /// Seed of the bootstrap.
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    #[arg(long, value_name = "S", default_value_t = 1, help_heading = "Bootstrap")]
     seed: u64,
     /// The point's x at t = 0, if it is known.
     #[arg(long, default_value_t = 0.0, value_parser = within(COORDINATES), allow_hyphen_values = true)]
@@ -63,24 +60,27 @@ pub struct FitArgs {
     #[arg(long, conflicts_with = "x0")]
     fit_x0: bool,
     /// Loss function, as in `SciPy`: residuals count by their squares, or less where they are large.
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, default_value_t, help_heading = "Loss")]
     loss: LossShape,
     /// Residual from which on a reading counts less by a robust --loss: in sigmas where the file has them,
     /// else in standard deviations of each curve, from the median of its residuals [default: soft-l1 1.287,
     /// huber 1.345, cauchy 2.385]
-    #[arg(long, value_name = "C", value_parser = within(LOSS_SCALES))]
+    #[arg(long, value_name = "C", value_parser = within(LOSS_SCALES), help_heading = "Loss")]
     loss_scale: Option<f64>,
     /// The eyes rode past a point at rest, along x: the times are those of the rider's own clock, the file's
     /// column clock; beta is the rider's speed, and x0 how far behind the point is when the clock shows 0,
     /// contracted.
     #[arg(long, conflicts_with = "wheel_radius")]
     riding: bool,
-    #[command(flatten, next_help_heading = "Readings that were written down in another way")]
-    correction: Correction,
-    #[command(flatten, next_help_heading = "A point on a wheel that rolls")]
-    wheel: WheelArgs,
     #[command(flatten)]
     report: ReportArgs,
+    /// Tilt and turn of the head; without them, the file's columns roll and turn, else straight.
+    #[command(flatten, next_help_heading = "Head")]
+    head: HeadArgs,
+    #[command(flatten, next_help_heading = "Readings")]
+    correction: Correction,
+    #[command(flatten, next_help_heading = "Wheel")]
+    wheel: WheelArgs,
 }
 
 const HELP: &str = "\

@@ -47,17 +47,22 @@ pub struct RectifyArgs {
     /// Gaze of the moving camera [default: at what was in the centre]
     #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
     out_gaze: Option<GazeChoice>,
-    /// Whether wavelengths are corrected too.
-    #[arg(long, default_value = "on", value_name = "on|off", value_parser = switch)]
-    doppler_shift: OnOff,
-    /// Exponent n of the received intensity D^n to divide by, as of `gamow render` [default: as the file
-    /// records it, else surface]
-    #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
-    intensity_exponent: Option<IntensityExponent>,
     /// Output: a file of the same kind, written whole or not at all.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    #[command(flatten, next_help_heading = "Photographs, and what a file does not record")]
+    /// Whether wavelengths are corrected too.
+    #[arg(long, default_value = "on", value_name = "on|off", value_parser = switch, help_heading = "Light")]
+    doppler_shift: OnOff,
+    /// Exponent n of the received intensity D^n to divide by, as of `gamow render` [default: as the file
+    /// records it, else surface]
+    #[arg(
+        long,
+        value_name = "surface|photons|paper|N|off",
+        allow_hyphen_values = true,
+        help_heading = "Light"
+    )]
+    intensity_exponent: Option<IntensityExponent>,
+    #[command(flatten, next_help_heading = "Photographs")]
     camera: CameraArgs,
 }
 

@@ -98,7 +98,7 @@ pub fn find(
         }
         (true, None) => format!("{what} explains the readings but for chance{others}"),
         (false, _) => format!(
-            "none of x0, units, signs, a shift between the curves and the models explains the readings; {what} comes \\
+            "none of x0, units, signs, a shift between the curves and the models explains the readings; {what} comes \
              closest, with a sum of squares that falls {falls}"
         ),
     };

@@ -3,6 +3,8 @@
 use gamow_platform::messages;
 use thiserror::Error;
 
+use crate::similar::did_you_mean;
+
 /// A lesson, or a sequence of lessons and states, that cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum LessonError {
@@ -18,8 +20,9 @@ pub enum LessonError {
     },
     /// Neither the name of a lesson nor a path.
     #[error(
-        "no lesson is called `{}`: there are {known}; for a file, give its name with its ending",
-        messages::excerpt(name)
+        "no lesson is called `{}`{}: there are {known}; for a file, give its name with its ending",
+        messages::excerpt(name),
+        did_you_mean(known.split(", "), name)
     )]
     Unknown {
         /// Name that was given.

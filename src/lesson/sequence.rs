@@ -9,8 +9,8 @@ use gamow_platform::{files, messages};
 use super::error::LessonError;
 use super::library::Library;
 use super::plan::Lesson;
-use crate::scene::nearest;
 use crate::settings::{Preset, Settings, is_link};
+use crate::similar::nearest;
 
 /// A sequence of things to show.
 #[derive(Debug, Clone, PartialEq)]

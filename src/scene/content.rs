@@ -8,8 +8,8 @@ use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin,
 use serde::{Deserialize, Serialize};
 
 use super::model::ModelReport;
-use super::similar::{NEAREST, nearest};
 use super::table::coincide;
+use crate::similar::{NEAREST, nearest};
 
 /// Distance from a body's surface up to which a point is taken to be on it: coordinates may be rounded to
 /// three decimals.

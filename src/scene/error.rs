@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use super::presets::PRESETS;
 use crate::files::syntax;
+use crate::similar::did_you_mean;
 
 /// A scene that cannot be had.
 #[derive(Debug, Error)]
@@ -20,7 +21,7 @@ pub enum SceneError {
         reason: std::io::Error,
     },
     /// Neither a preset nor a path.
-    #[error("no scene is called `{name}`: there are {list}; for a file, give a name ending in .toml", name = messages::excerpt(.0), list = PRESETS.join(", "))]
+    #[error("no scene is called `{name}`{near}: there are {list}; for a file, give a name ending in .toml", name = messages::excerpt(.0), near = did_you_mean(PRESETS, .0), list = PRESETS.join(", "))]
     UnknownPreset(String),
     /// A model that cannot be read.
     #[error("{source_name}: {reason}")]
@@ -60,7 +61,7 @@ pub enum SceneProblem {
         message: String,
     },
     /// A key that means nothing here.
-    #[error("unknown key `{key}`: {owner} has {known}", key = messages::excerpt(key))]
+    #[error("unknown key `{key}`{near}: {owner} has {known}", key = messages::excerpt(key), near = did_you_mean(known.split(", "), key))]
     UnknownKey {
         /// The unknown key.
         key: String,

@@ -4,8 +4,8 @@ use relativity_render::colour::srgb_decoded;
 use relativity_render::{Emission, Material, Paint};
 
 use super::error::{Located, SceneProblem};
-use super::similar::nearest;
 use super::table::Table;
+use crate::similar::nearest;
 
 /// Red, as in the paper.
 const DEFAULT_WAVELENGTH_NM: f64 = 700.0;

@@ -13,7 +13,6 @@ mod model;
 mod names;
 mod object;
 mod presets;
-mod similar;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -30,7 +29,6 @@ pub use error::{SceneError, SceneProblem};
 pub use model::ridden::text as scene_text;
 pub use model::{ModelReport, is_model, read_model};
 pub use presets::{PRESETS, looks_like_a_name};
-pub use similar::nearest;
 
 impl Scene {
     /// The preset of that name, one of [`PRESETS`].

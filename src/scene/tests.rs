@@ -230,11 +230,11 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, sunlit, include, wheel, model, object, group"
+        "balls.toml:3: unknown key `groud_z` (did you mean `ground_z`?): a scene has name, rider, metres, tracked, ground_z, street, sunlit, include, wheel, model, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncentre = [0, 3, 2]\nradus = 1"),
-        "balls.toml:5: unknown key `radus`: a sphere has shape, centre, radius, wavelength_nm, light, material, paint, glow_k, brightness, name, pattern, spacing, repeat, step"
+        "balls.toml:5: unknown key `radus` (did you mean `radius`?): a sphere has shape, centre, radius, wavelength_nm, light, material, paint, glow_k, brightness, name, pattern, spacing, repeat, step"
     );
     assert_eq!(
         object_error("shape = \"tube\"\ncentre = [0, 3, 2]"),

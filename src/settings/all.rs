@@ -36,8 +36,8 @@ pub struct Settings {
     /// The point that is tracked, at rest [default: the scene's own]
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     pub point: Option<[f64; 3]>,
-    /// The points that are followed beside the scene's own, each as its place at rest and the number of its
-    /// body [default: none]
+    /// Points that are followed beside the scene's own, each as its place at rest and the number of its body
+    /// [default: none]
     #[arg(long, value_name = "X,Y,Z@BODY;...", allow_hyphen_values = true)]
     pub points: Option<Followed>,
     /// Motion of the scene, and separation of the eyes.

@@ -15,6 +15,7 @@ use super::link::is_link;
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
 use crate::scene::{Scene, SceneError, looks_like_a_name};
+use crate::similar::did_you_mean;
 
 impl Settings {
     /// Writes all settings as a file.
@@ -218,7 +219,12 @@ fn check_section(section: &Spanned<DeString>) -> Result<(), LocatedProblem> {
     }
     Err((
         section.span(),
-        format!("unknown section [{}]: there are {}", messages::excerpt(section.get_ref()), known.join(", ")),
+        format!(
+            "unknown section [{}]{}: there are {}",
+            messages::excerpt(section.get_ref()),
+            did_you_mean(known.iter().map(String::as_str), section.get_ref()),
+            known.join(", ")
+        ),
     ))
 }
 
@@ -231,8 +237,8 @@ fn setting(
     let name = syntax::british(key.get_ref());
     if !known.contains(&&*name) {
         let owner = if section.is_empty() { "before the first section" } else { section };
-        let problem =
-            format!("unknown setting `{}`: {owner} has {}", messages::excerpt(&name), known.join(", "));
+        let (near, shown) = (did_you_mean(known.iter().copied(), &name), messages::excerpt(&name));
+        let problem = format!("unknown setting `{shown}`{near}: {owner} has {}", known.join(", "));
         return Err((key.span(), problem));
     }
     if (section, name.as_ref()) == ("", SCENE) && value.get_ref().as_str().is_none() {

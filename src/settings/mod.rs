@@ -32,7 +32,7 @@ mod views;
 pub use about::{About, about, about_all, meaning};
 pub use all::{SCENE_HELP, Settings};
 pub use comparison::{ComparisonError, NO_PAIR};
-pub use error::{SettingsError, problem_in_one_line};
+pub use error::{SettingsError, problem_in_one_line, problem_of_flags};
 pub use file::looks_like_settings;
 pub use head::Head;
 pub use link::{is_link, link_of_pairs};

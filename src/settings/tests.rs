@@ -388,7 +388,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ("[look]\nfov = 180", "state.toml:2: fov = 180: must be between 1e-9 and 179.999 degrees"),
         (
             "[look]\ngeometry = \"sen\"",
-            "state.toml:2: geometry = sen: must be one of seen, contracted, rest, published, one-cone",
+            "state.toml:2: geometry = sen (did you mean `seen`?): must be one of seen, contracted, rest, published, one-cone",
         ),
         ("[quality]\nerror = 0", "state.toml:2: error = 0: must be between 1e-6 and 100"),
         ("[quality]\nerror = -0.1", "state.toml:2: error = -0.1: must be between 1e-6 and 100"),
@@ -401,7 +401,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         (
             "[motion]\nbetta = 0.5",
-            "state.toml:2: unknown setting `betta`: motion has beta, gamma, rapidity, d, roll, turn, depth-shift, height-shift",
+            "state.toml:2: unknown setting `betta` (did you mean `beta`?): motion has beta, gamma, rapidity, d, roll, turn, depth-shift, height-shift",
         ),
         (
             "\nbeta = 0.5",

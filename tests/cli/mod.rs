@@ -7,6 +7,8 @@ use std::process::{Command, Stdio};
 use std::thread;
 
 mod causes;
+mod command_line;
+mod completions;
 mod data_files;
 mod errors;
 mod fit;
@@ -16,6 +18,7 @@ mod garbage;
 mod help;
 #[cfg(unix)]
 mod irregular;
+mod json;
 mod lessons;
 mod numbers;
 mod outliers;

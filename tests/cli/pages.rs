@@ -73,7 +73,7 @@ fn flags(text: &str) -> impl Iterator<Item = &str> {
 #[test]
 fn every_flag_of_gamow_that_a_page_names_exists() {
     let commands =
-        ["", "render", "curve", "eval", "fit", "measure", "rectify", "lesson", "accuracy", "paper"];
+        ["", "render", "curve", "eval", "fit", "measure", "rectify", "lesson", "accuracy", "paper", "man"];
     let help: Vec<String> =
         commands.iter().map(|command| words(&format!("{command} --help")).text()).collect();
     let known: BTreeSet<&str> = help.iter().flat_map(|text| flags(text)).collect();

@@ -236,7 +236,8 @@ fn what_is_wrong_with_a_lesson_is_one_line_with_its_place() {
     let folder = Folder::with_lesson(LESSON);
     assert!(folder.worksheet("sheet.pdf", &[]).complaint().contains(".html"));
     let unknown = run(gamow().args(["lesson", "rodds", "--worksheet", "a.html"]), b"").complaint();
-    assert!(unknown.starts_with("gamow: no lesson is called `rodds`: there are rods, "), "{unknown}");
+    let said = "gamow: no lesson is called `rodds` (did you mean `rods`?): there are rods, ";
+    assert!(unknown.starts_with(said), "{unknown}");
 }
 
 /// Every field of a lesson reaches the page as text, never as markup or script.

@@ -98,7 +98,7 @@ pub const PROGRAM: House = House {
             inside: "",
             floors: &[
                 &["main.rs"],
-                &["cli.rs"],
+                &["cli"],
                 &["commands", "app"],
                 &["lesson"],
                 &["accuracy", "estimate", "studio"],
@@ -106,7 +106,7 @@ pub const PROGRAM: House = House {
                 &["settings"],
                 &["scene", "columns", "time_range.rs", "flags", "files", "plot", "quantity.rs", "units.rs"],
                 &["eye.rs", "eye_colours.rs", "number_text.rs", "formula"],
-                &["markup.rs"],
+                &["markup.rs", "similar.rs"],
             ],
         },
         Table {

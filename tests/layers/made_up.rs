@@ -26,7 +26,7 @@ fn imports_downwards_are_no_fault() {
     let faults = faults_of(&[
         ("main.rs", "fn main() { gamow::cli::run() }"),
         ("lib.rs", "pub mod cli; mod app; mod scene;"),
-        ("cli.rs", "use crate::app; pub fn run() { app::shell::launch(); }"),
+        ("cli/mod.rs", "use crate::app; pub fn run() { app::shell::launch(); }"),
         ("app/mod.rs", "pub mod shell;"),
         ("app/shell/mod.rs", "use crate::scene::{self, Scene}; pub fn launch() -> Scene { scene::open() }"),
         ("scene.rs", "pub struct Scene; pub const fn open() -> Scene { Scene }"),

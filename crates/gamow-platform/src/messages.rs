@@ -1,7 +1,8 @@
 //! The standard streams: the program's messages there. None of them ends it, and none commands a terminal.
 
 use std::fmt;
-use std::io::{self, StdoutLock, Write as _};
+use std::io::{self, IsTerminal as _, StdoutLock, Write as _};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// `text` as messages quote it: on one line, with nothing in it that a terminal would obey. What is not fit
@@ -60,13 +61,40 @@ pub fn in_short(text: &str) -> String {
     format!("{first} (and {} more letters) {last}", count - MOST_LETTERS)
 }
 
-/// Prints `remark` to standard error, ignoring a closed stream.
+/// Prints `remark` to standard error, ignoring a closed stream; nothing where remarks are not wanted.
 pub fn remark(remark: impl fmt::Display) {
-    let remark = in_short(&shown(&remark.to_string()));
-    match HELD.lock().unwrap_or_else(PoisonError::into_inner).as_mut() {
-        Some(held) => held.push(remark),
-        None => drop(writeln!(io::stderr(), "{remark}")),
+    if !is_quiet() {
+        say(remark);
     }
+}
+
+/// Prints a line to standard error, ignoring a closed stream.
+fn say(line: impl fmt::Display) {
+    let line = in_short(&shown(&line.to_string()));
+    match HELD.lock().unwrap_or_else(PoisonError::into_inner).as_mut() {
+        Some(held) => held.push(line),
+        None => drop(writeln!(io::stderr(), "{line}")),
+    }
+}
+
+/// Whether nothing is said beside results and errors.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Leaves out remarks and progress from now on.
+pub fn be_quiet() {
+    IS_QUIET.store(true, Ordering::Relaxed);
+}
+
+/// Returns whether remarks and progress are left out.
+#[must_use]
+pub fn is_quiet() -> bool {
+    IS_QUIET.load(Ordering::Relaxed)
+}
+
+/// Returns whether standard output is a terminal.
+#[must_use]
+pub fn is_stdout_a_terminal() -> bool {
+    io::stdout().is_terminal()
 }
 
 /// Remarks that the host of a library takes, in place of standard error.
@@ -89,13 +117,8 @@ const FAILURE: u8 = 2;
 /// Prints the error in a line, and returns the exit status for it.
 #[must_use]
 pub fn failure(error: &anyhow::Error) -> u8 {
-    remark(format_args!("gamow: {error:#}"));
+    say(format_args!("gamow: {error:#}"));
     FAILURE
-}
-
-/// Says `text`, which may have several lines, on standard error as it is, in one piece.
-pub fn remark_lines(text: &str) {
-    let _ = io::stderr().write_all(text.as_bytes());
 }
 
 /// Returns standard output, for a command's results.

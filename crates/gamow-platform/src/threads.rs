@@ -4,8 +4,20 @@
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
+use relativity_core::threads::ThreadPoolBuilder;
+
 pub use relativity_core::threads::{current_num_threads as count, on_half, prelude};
 pub use std::thread::JoinHandle;
+
+/// Has all work that is spread over threads done by this `number` of them. It has an effect before any such
+/// work alone.
+///
+/// # Errors
+///
+/// Threads that cannot be started.
+pub fn limit(number: usize) -> anyhow::Result<()> {
+    Ok(ThreadPoolBuilder::new().num_threads(number).build_global()?)
+}
 
 /// Whether there are several, so that work can be done beside the window.
 pub const ARE_SEVERAL: bool = true;

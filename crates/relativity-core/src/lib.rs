@@ -27,6 +27,43 @@
 //! squares underflow (rho/gamma below 1e-150) count as zero. The batch forms in f32 have a smaller domain
 //! ([`batch::Real`]), and there lengths below 1e-19 count as zero.
 //!
+//! # From formula to function
+//!
+//! Of a point at x = x0 + beta t, y, z, seen at T by an aperture at A; n is the unit vector from there to
+//! where it is seen, and R how far away that is.
+//!
+//! | formula | function |
+//! |---|---|
+//! | T - t = R = \|r(t) - A\|: where and when its light left | [`sighting`] |
+//! | D = 1/(gamma (1 + beta `n_x`)) | [`Sighting::doppler_factor`], [`aberration::doppler_factor`] |
+//! | n' = (`n_x` + beta, `n_y`/gamma, `n_z`/gamma)/(1 + beta `n_x`) | [`aberration::rest_from_ground`] |
+//! | tau = gamma (t - beta x) | [`Sighting::proper_time`] |
+//! | phi = atan2(Y, X), theta = atan2(Z, hypot(X, Y)) | [`Sighting::phi`], [`Sighting::theta`] |
+//! | lambda = `lambda_rest`/D | [`doppler::received_wavelength`] |
+//! | I = `I_rest` D^n | [`doppler::intensity_factor`] |
+//! | Delta-phi = `phi_left` - `phi_right`, Delta-theta likewise | [`disparity()`], [`disparities`] |
+//! | gain = (`X_left` - `X_right`)/d, and where lines of sight meet | [`stereo()`] |
+//! | u = arsinh(X/hypot(Y, Z)), v = atan2(Z, Y) | [`Conformal::from_direction`] |
+//! | T0: equally far from both apertures | [`equidistance_time`] |
+//! | T = (x - x0)/beta + hypot(x, y, z): when it is seen at x | [`observation_time_when_seen_at`] |
+//! | gamma = 1/sqrt(1 - beta^2) | [`Speed::from_beta`], [`Speed::from_gamma`] |
+//! | eta = artanh(beta) | [`Speed::from_rapidity`] |
+//! | proper acceleration a for tau: eta + a tau | [`Ride`], [`RideMoment::after`] |
+//! | the light cone of a point of a rolling wheel | [`wheel`], [`sighting`] of a [`WheelPoint`] |
+//! | the paper's binocular model | [`published_disparity`] |
+//! | least squares in beta, y, z, x0, and its bootstrap | `fit`, `bootstrap` (feature `fit`) |
+//!
+//! # Features
+//!
+//! - `fit` (default): `fit`, `bootstrap` and `combined`, with their libraries of linear algebra and of random
+//!   numbers.
+//! - `clap`, `serde`: what a user chooses, as values of flags and of files.
+//!
+//! # Versions
+//!
+//! [Semantic versioning](https://semver.org): until 1.0 the second number counts what may break code that
+//! uses this crate. A change of a result within its stated error breaks nothing.
+//!
 //! # Examples
 //!
 //! ```
@@ -83,13 +120,16 @@ pub mod apparent;
 pub mod baseline;
 pub mod batch;
 mod batch_error;
+#[cfg(feature = "fit")]
 pub mod bootstrap;
+#[cfg(feature = "fit")]
 pub mod combined;
 mod cone_pair;
 pub mod conformal;
 pub mod disparity;
 pub mod domain;
 pub mod doppler;
+#[cfg(feature = "fit")]
 pub mod fit;
 pub mod math;
 mod model;
@@ -110,11 +150,14 @@ pub mod worldline;
 pub use aperture::Aperture;
 pub use apparent::{Sighting, sighting};
 pub use baseline::{Baseline, HeadAxes};
+#[cfg(feature = "fit")]
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap};
+#[cfg(feature = "fit")]
 pub use combined::{Combined, combined};
 pub use conformal::{Conformal, ConformalDisparity};
 pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
+#[cfg(feature = "fit")]
 pub use fit::{
     Curves, Fit, FitError, FitOptions, Loss, LossShape, NotConverged, Observations, OtherSide, Parameter,
     Passage, Reading, Rolling, Sample, SerialCorrelation, Simulation, fit, fit_from,

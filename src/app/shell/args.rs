@@ -27,15 +27,15 @@ pub struct WindowArgs {
     /// Start in front of an audience: on the whole screen, with large writing, without controls.
     #[arg(long)]
     present: bool,
-    /// With `--scene` or `--state`, which start from the defaults: keep the rest as it was left (with a
-    /// state: the parts of the window, the screen and the layout).
+    /// Keep settings as they were left: with `--scene` or `--state`, which else start from the defaults, all
+    /// others (with a state: the parts of the window, the screen and the layout).
     #[arg(long)]
     keep_settings: bool,
     /// Begin this lesson or preset; the name of a file has its ending, `.md`. `--list` names them all.
     #[arg(long, value_name = "NAME|FILE", conflicts_with = "state")]
     lesson: Option<PathBuf>,
-    /// Go through a sequence of your own with Page Down and Page Up: a text file that names a preset, a
-    /// state, a link or a step of a lesson in each line.
+    /// Go through a sequence of your own: a text file that names a preset, a state, a link or a step of a
+    /// lesson in each line. Page Down and Page Up go through it.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["state", "scene", "lesson"])]
     sequence: Option<PathBuf>,
     /// A folder with your own lessons, beside the program's. A lesson of the same name replaces the
@@ -45,6 +45,9 @@ pub struct WindowArgs {
     /// Name all lessons and presets, or with `--scene` or `--state` all bodies of that scene, and exit.
     #[arg(long)]
     pub list: bool,
+    /// With `--list`: write JSON.
+    #[arg(long, requires = "list")]
+    pub json: bool,
     /// Inner size of the window.
     #[arg(long, value_parser = size, value_name = "WIDTHxHEIGHT")]
     window_size: Option<[u32; 2]>,

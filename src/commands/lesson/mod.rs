@@ -15,7 +15,7 @@ use crate::lesson::worksheet::{self, SheetKind};
 /// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its
 /// lab, a page for whoever teaches. At least one of them must be named.
 #[derive(Debug, Args)]
-#[command(before_help = EXAMPLES, group = ArgGroup::new("sheets").required(true).multiple(true))]
+#[command(before_long_help = EXAMPLES, group = ArgGroup::new("sheets").required(true).multiple(true))]
 pub struct LessonArgs {
     /// Name of the lesson or preset (`gamow --list`), or a file.
     #[arg(value_name = "NAME|FILE.md")]

@@ -12,25 +12,24 @@ use std::path::{Path, PathBuf};
 use anyhow::Context as _;
 use clap::Args;
 use csv::ByteRecord;
-use gamow_platform::{files, messages};
+use gamow_platform::{files, messages, progress};
 use relativity_core::{math, threads};
 use relativity_render::Camera;
 
 use self::locate::Target;
 use self::place::PixelPlace;
 use self::remark::{Remark, Remarks};
-use crate::columns::{ANGLES, ROLL, TURN};
-use crate::files::csv_out;
+use crate::columns::{ANGLES, ROLL, TURN, unit};
 use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
-use crate::files::whole::OutArgs;
+use crate::files::whole::ReportArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
 use crate::settings::{CameraArgs, MAX_LENGTH, NO_PAIR, ON_A_RIDE, PictureSettings, Settings};
 use crate::studio::Sheet;
 use crate::time_range::time_within;
 
-/// Follows a point through a stereo sequence and measures its angles, as CSV.
+/// Follows a point through a stereo sequence and measures its angles, as CSV or JSON.
 ///
 /// Takes files of one observation time each: measurements (.exr) or pictures (.png) in a layout that has both
 /// eyes' whole pictures, such as side by side. Those of `gamow render` record everything else; for
@@ -58,8 +57,8 @@ pub struct MeasureArgs {
     #[command(flatten)]
     target: TargetArgs,
     #[command(flatten)]
-    out: OutArgs,
-    #[command(flatten, next_help_heading = "Photographs, and what a file does not record")]
+    report: ReportArgs,
+    #[command(flatten, next_help_heading = "Photographs")]
     taken: TakenArgs,
 }
 
@@ -112,15 +111,18 @@ const HEAD: std::ops::Range<usize> = 2..4;
 
 /// Runs the command `gamow measure`.
 pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
-    let table = args.measured()?;
+    let mut bar = None;
+    let table = args.measured_noting(|files, all| {
+        bar.get_or_insert_with(|| progress::bar(all as u64, "files")).set_position(files as u64);
+    });
+    if let Some(bar) = bar {
+        bar.finish_and_clear();
+    }
+    let table = table?;
     table.remarks.iter().for_each(messages::remark);
-    args.out.write(|out| {
-        let mut csv = csv_out::CsvWriter::new(out);
-        csv.write(&mut table.columns.iter().collect(), &[])?;
-        for row in &table.rows {
-            csv.write(&mut ByteRecord::new(), row)?;
-        }
-        Ok(csv.flush()?)
+    args.report.write_table(unit, |out| {
+        out.head(&mut ByteRecord::new(), &table.columns)?;
+        Ok(table.rows.iter().try_for_each(|row| out.row(&mut ByteRecord::new(), row))?)
     })
 }
 
@@ -143,17 +145,24 @@ impl MeasureArgs {
     /// A file that cannot be read or does not say enough, a target that no file shows to both eyes, and work
     /// that is given up.
     pub fn measured(&self) -> anyhow::Result<MeasuredTable> {
+        self.measured_noting(|_, _| {})
+    }
+
+    /// Measures the target in all files; calls `note` after each with the number of files so far and of all.
+    fn measured_noting(&self, mut note: impl FnMut(usize, usize)) -> anyhow::Result<MeasuredTable> {
         let target = self.target.target();
         let files = files(&self.inputs, target)?;
         let times = self.taken.times_of(files.len())?;
         let (mut rows, mut noted_of_all) = (Vec::new(), Remarks::default());
         let goes_on = threads::goes_on();
-        for (file, time) in files.iter().zip(times) {
+        for ((file, time), number) in files.iter().zip(times).zip(1..) {
             anyhow::ensure!(goes_on(), "given up");
             let name = files::shown(file);
-            let Some((row, noted)) = measured(file, &name, target, &self.taken, time)? else { continue };
-            noted_of_all.note(&name, &noted);
-            rows.push(row);
+            if let Some((row, noted)) = measured(file, &name, target, &self.taken, time)? {
+                noted_of_all.note(&name, &noted);
+                rows.push(row);
+            }
+            note(number, files.len());
         }
         anyhow::ensure!(!rows.is_empty(), "none of {} files shows the target to both eyes", files.len());
         rows.sort_by(|a, b| a[0].total_cmp(&b[0]));

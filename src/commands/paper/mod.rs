@@ -16,7 +16,7 @@ use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
-use gamow_platform::{files, sizes};
+use gamow_platform::{files, progress, sizes};
 
 use crate::files::html::{HtmlPage, PageStyle};
 use crate::files::whole::say;
@@ -43,13 +43,17 @@ Examples:
 pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     let folder = args.out.as_path();
     files::create_folder(folder).with_context(|| files::shown(folder))?;
+    let progress = progress::bar(stereo::frames() + 1, "frames and fits");
     figures::write_all(folder)?;
     let fits = fits::write_all(folder)?;
-    let frames = stereo::write_all(folder)?;
+    progress.inc(1);
+    let frames = stereo::write_all(folder, || progress.inc(1))?;
+    let errors = fits::errors_of_published()?;
+    progress.finish_and_clear();
     let report = report::PaperReport {
         numbers: numbers::rows()?,
         fits,
-        errors: fits::errors_of_published()?,
+        errors,
         bias: fits::bias_of_published()?,
         frames: stereo::FIGURES.iter().zip(frames).collect(),
     };

@@ -95,18 +95,24 @@ pub struct StereoFrame {
     pub seen: Disparity,
 }
 
-/// Draws every figure into `folder`; the frames of each.
-pub fn write_all(folder: &Path) -> anyhow::Result<Vec<Vec<StereoFrame>>> {
-    FIGURES.iter().map(|figure| figure.write(folder)).collect()
+/// Returns the number of frames of all figures.
+pub fn frames() -> u64 {
+    FIGURES.iter().map(|figure| figure.places.len() as u64).sum()
+}
+
+/// Draws every figure into `folder`, and calls `note` after each frame; the frames of each.
+pub fn write_all(folder: &Path, note: impl Fn()) -> anyhow::Result<Vec<Vec<StereoFrame>>> {
+    FIGURES.iter().map(|figure| figure.write(folder, &note)).collect()
 }
 
 impl Figure {
-    fn write(&self, folder: &Path) -> anyhow::Result<Vec<StereoFrame>> {
+    fn write(&self, folder: &Path, note: impl Fn()) -> anyhow::Result<Vec<StereoFrame>> {
         let frames: Vec<StereoFrame> =
             (1..).zip(self.places).map(|(number, &x)| self.frame(number, x)).collect::<Result<_, _>>()?;
         for frame in &frames {
             let mut studio = Studio::new(frame.settings.clone())?;
             studio.make_file(&studio.frame(None)?, FileKind::Png, &folder.join(&frame.file))?;
+            note();
         }
         figures::write_text(folder, &format!("{}.svg", self.name), &svg(folder, &frames)?)?;
         let column = |name: &str, value: fn(&StereoFrame) -> f64| {

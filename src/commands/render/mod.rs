@@ -38,7 +38,7 @@ pub struct RenderArgs {
     /// Print how long each stage took.
     #[arg(long, conflicts_with = "frames")]
     timings: bool,
-    /// Number of repetitions that --timings measures.
+    /// Repetitions that --timings measures.
     #[arg(long, default_value_t = 5, value_name = "N", requires = "timings", value_parser = clap::value_parser!(u32).range(1..))]
     repeat: u32,
     #[command(flatten)]

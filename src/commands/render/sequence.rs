@@ -28,7 +28,7 @@ pub struct TimeArgs {
     /// parts are drawn alike.
     #[arg(long, value_name = "I/K", requires = "frames")]
     part: Option<SequencePart>,
-    /// Make the frames of a sequence .exr files of what every pixel shows, not .png pictures.
+    /// Make .exr files of what every pixel shows: the frames of a sequence, in place of .png pictures.
     #[arg(long, requires = "frames")]
     exr: bool,
     /// Observation time of the first frame [default: when the tracked point is seen at x = -2 R, R being

@@ -28,7 +28,7 @@ use super::csv_out::io_error;
 use super::utf16::Decoded;
 
 pub use self::header_line::COMMENTS;
-pub use self::names::{HeaderError, Names, RowError, text};
+pub use self::names::{HeaderError, Names, RowError, number, text};
 
 const BUFFER_BYTES: usize = 1 << 16;
 

@@ -110,8 +110,7 @@ impl Names {
         if text.is_empty() {
             return Err(fault("is empty; it should be a number"));
         }
-        let number = std::str::from_utf8(text).ok().and_then(|text| text.parse::<f64>().ok());
-        match number.or_else(|| with_minus(text)) {
+        match number(text) {
             Some(number) if number.is_finite() => Ok(number),
             Some(_) => Err(fault(NOT_FINITE)),
             None => Err(fault("is not a number; it should be one such as 0.9 or 1e-3")),
@@ -127,6 +126,14 @@ impl Names {
         let (column, value) = (legible(&self.0[place]), number.to_string());
         Err(RowError::Value { column, value, problem: NOT_FINITE })
     }
+}
+
+/// The number that a field is, blanks around it aside; `None` if it is none.
+#[must_use]
+pub fn number(field: &[u8]) -> Option<f64> {
+    let text = field.trim_ascii();
+    let number = std::str::from_utf8(text).ok().and_then(|text| text.parse::<f64>().ok());
+    number.or_else(|| with_minus(text))
 }
 
 /// The number in `text` whose minus signs are those of typesetting.

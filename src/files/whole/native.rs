@@ -9,10 +9,13 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use anyhow::Context as _;
 use clap::Args;
 use gamow_platform::files::{self, File, Rights, TempPath};
+use gamow_platform::progress::Count;
 use gamow_platform::{closed, interrupt, messages};
 use serde::Serialize;
 
 use super::json::write_json;
+use crate::files::csv_out::CsvWriter;
+use crate::files::table_out::{JsonRows, TableWriter, UnitOf};
 use crate::files::watched::{Named, write_named};
 
 /// The output of a command.
@@ -80,8 +83,48 @@ impl ReportArgs {
     ///
     /// As [`OutArgs::write`].
     pub fn write(&self, report: &(impl fmt::Display + Serialize)) -> anyhow::Result<()> {
-        self.out.write(|out| if self.json { write_json(report, out) } else { Ok(write!(out, "{report}")?) })
+        self.out.write(|out| write_report(report, self.json, out))
     }
+
+    /// Hands a writer of tables to `write`; `unit` knows the units of its columns.
+    ///
+    /// # Errors
+    ///
+    /// As [`OutArgs::write`].
+    pub fn write_table(
+        &self,
+        unit: UnitOf,
+        write: impl FnOnce(&mut TableWriter<&mut dyn Write>) -> anyhow::Result<()>,
+    ) -> anyhow::Result<()> {
+        self.out.write(|out| {
+            let mut table = if self.json {
+                TableWriter::Json(JsonRows::new(out, unit))
+            } else {
+                TableWriter::Csv(Box::new(CsvWriter::new(out)))
+            };
+            write(&mut table)?;
+            Ok(table.finish()?)
+        })
+    }
+
+    /// Returns a count of rows as they are written, which a terminal that shows them does without.
+    #[must_use]
+    pub fn count_of_rows(&self) -> Count {
+        Count::new("rows", self.out.out.is_some() || !messages::is_stdout_a_terminal())
+    }
+}
+
+/// Writes `report` as JSON or as text.
+///
+/// # Errors
+///
+/// Those of `out`.
+pub fn write_report(
+    report: &(impl fmt::Display + Serialize),
+    is_json: bool,
+    mut out: impl Write,
+) -> anyhow::Result<()> {
+    if is_json { write_json(report, out) } else { Ok(write!(out, "{report}")?) }
 }
 
 /// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written, with

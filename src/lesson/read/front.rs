@@ -6,6 +6,7 @@ use super::limits::check_name;
 use super::wrong::Wrong;
 use crate::lesson::plan::CardPicture;
 use crate::settings::Preset;
+use crate::similar::did_you_mean;
 
 /// The front matter of a lesson.
 pub struct FrontMatter {
@@ -90,8 +91,9 @@ impl FrontMatter {
             "minutes" => self.minutes = whole(value)?,
             _ => {
                 return Err(format!(
-                    "unknown key `{}`: there are {}",
+                    "unknown key `{}`{}: there are {}",
                     messages::excerpt(key),
+                    did_you_mean(KEYS, key),
                     KEYS.join(", ")
                 ));
             }

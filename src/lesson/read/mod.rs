@@ -23,6 +23,7 @@ use super::values;
 use crate::files::syntax;
 use crate::flags::{MAX_TIME, SpeedParameter, SpeedSetting};
 use crate::quantity::Quantity;
+use crate::similar::did_you_mean;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -165,10 +166,11 @@ fn step(section: Part<'_>) -> Result<Step, Wrong> {
             "Explain" => step.explanation = part.only_text("in an explanation")?,
             "Teach" => step.teaching = part.only_text("in advice for whoever teaches")?,
             other => {
-                let known = PARTS.join(", ");
+                let (near, known) = (did_you_mean(PARTS, other), PARTS.join(", "));
+                let other = messages::excerpt(other);
                 return Err((
                     part.line,
-                    format!("unknown part `{}` of a step: there are {known}", messages::excerpt(other)),
+                    format!("unknown part `{other}`{near} of a step: there are {known}"),
                 ));
             }
         }

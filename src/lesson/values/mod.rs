@@ -15,7 +15,7 @@ mod places;
 mod riding;
 mod rolling;
 
-use gamow_platform::{messages, sizes};
+use gamow_platform::messages;
 
 use self::fitted::CachedFit;
 use self::here::{Here, Value};
@@ -24,9 +24,7 @@ use super::plan::{AnswerKind, Choices, Lesson, Prediction, StateBlock, Text};
 use crate::formula::markdown::Markdown;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
-
-/// Number of values with similar names that are suggested.
-const NEAREST: usize = 5;
+use crate::similar::nearest;
 
 /// Returns every value, in the order of the documentation.
 pub fn all() -> impl Iterator<Item = &'static Value> {
@@ -73,14 +71,11 @@ impl<'a> ValueRequest<'a> {
 
     fn value(&self) -> Result<&'static Value, String> {
         all().find(|value| value.name == self.name).ok_or_else(|| {
-            let sought: String = self.name.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
-            let mut known: Vec<_> = all().map(|value| value.name).collect();
-            known.sort_by_key(|known| strsim::damerau_levenshtein(&known.to_lowercase(), &sought));
-            let (count, nearest) = (known.len(), known[..NEAREST.min(known.len())].join(", "));
             format!(
-                "no value is called `{}`: there are {count}; the nearest are {nearest}; \
-                    `assets/lessons/README.md` lists all",
-                messages::excerpt(self.name)
+                "no value is called `{}`: there are {}; the nearest are {}; `assets/lessons/README.md` lists all",
+                messages::excerpt(self.name),
+                all().count(),
+                nearest(all().map(|value| value.name), self.name)
             )
         })
     }

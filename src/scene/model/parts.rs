@@ -5,7 +5,7 @@ use std::ops::Range;
 use gamow_platform::messages;
 use relativity_render::RawModel;
 
-use crate::scene::similar::nearest;
+use crate::similar::nearest;
 
 /// A model, and the named parts of its file.
 #[derive(Default)]

@@ -219,7 +219,7 @@ fn what_is_wrong_with_a_wheel_is_said() {
         ),
         (
             "spoke = 3",
-            "11: unknown key `spoke`: a wheel has name, hub, radius, tyre, rim, rim_radius, axle, hub_radius, flange_radius, \
+            "11: unknown key `spoke` (did you mean `spokes`?): a wheel has name, hub, radius, tyre, rim, rim_radius, axle, hub_radius, flange_radius, \
              flanges, spokes, spoke_radius, crossing, angle, rolls, rim_speed, tread, valve, tyre_paint, wavelength_nm, light, \
              material, paint, glow_k, brightness",
         ),

@@ -27,4 +27,5 @@ mod seen;
 
 pub(crate) use pair::{EventStep, baseline, between_events};
 pub use root::{MAX_STEPS, NEWTON_STEPS, measured_later, seen_later};
+#[cfg(feature = "fit")]
 pub(crate) use seen::SeenWheelPoint;
