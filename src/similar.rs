@@ -43,7 +43,7 @@ mod tests {
     fn a_name_is_proposed_for_a_slip_of_the_keyboard() {
         let known = ["street", "cyclist", "d", "beta"];
         for (sought, proposed) in
-            [("stret", "street"), ("Cylcist", "cyclist"), ("bta", "beta"), ("BETA", "beta")]
+            [("stret", "street"), ("Cyclizt", "cyclist"), ("bta", "beta"), ("BETA", "beta")]
         {
             assert_eq!(did_you_mean(known, sought), format!(" (did you mean `{proposed}`?)"));
         }

@@ -14,8 +14,8 @@ fn a_bad_command_line_is_one_line_that_says_what_would_be_right() {
         ("curve --beta nan", "--beta nan: not a finite number"),
         ("curve --beta 0.5 --gamma 2", "--beta and --gamma cannot both be given: choose one"),
         (
-            "curve --model exat",
-            "--model exat (did you mean `exact`?): must be one of exact, one-cone, published, published-text",
+            "curve --model exactt",
+            "--model exactt (did you mean `exact`?): must be one of exact, one-cone, published, published-text",
         ),
         ("curve --rho 1", "--angle, --wheel-radius is missing"),
         ("curve --threads 0", "--threads 0: 0 is not in 1..=1024"),

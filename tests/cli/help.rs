@@ -108,8 +108,8 @@ fn the_name_of_a_flag_stands_for_its_section() {
     assert_eq!(words("render --help colour").text(), words("render --help light").text());
     assert!(words("render --help out").text().starts_with("Options:\n      --out "));
     assert_eq!(words("--help curve").text(), words("curve --help").text());
-    let complaint = words("render --help lok").complaint();
-    let said = "gamow: --help: there is no section and no flag called `lok` (did you mean `look`?): there are motion, look, ";
+    let complaint = words("render --help lookk").complaint();
+    let said = "gamow: --help: there is no section and no flag called `lookk` (did you mean `look`?): there are motion, look, ";
     assert!(complaint.starts_with(said), "{complaint}");
     // Those of the window alone are no section of pictures.
     assert!(words("render --help playback").complaint().contains("no section"));

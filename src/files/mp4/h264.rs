@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_primaries_and_grey_have_the_values_of_bt709() {
-        // ITU-R BT.709-6, 3: quantized to 8 bits; red, green, blue, white, black, and grey at 128.
+        // ITU-R BT.709-6, 3: rounded to 8 bits; red, green, blue, white, black, and grey at 128.
         let colours = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255; 3], [0; 3], [128; 3]];
         let values =
             [[63, 102, 240], [173, 42, 26], [32, 240, 118], [235, 128, 128], [16, 128, 128], [126, 128, 128]];
