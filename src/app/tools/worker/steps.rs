@@ -87,6 +87,6 @@ pub trait Work: Sized + 'static {
 /// Returns the value as another instance of the program reads it.
 #[cfg(test)]
 pub fn sent<T: Message>(value: &T) -> T {
-    let text = serde_json::to_string(value).expect("it can be written");
-    serde_json::from_str(&text).expect("what is written can be read")
+    let bytes = postcard::to_stdvec(value).expect("it can be written");
+    postcard::from_bytes(&bytes).expect("what is written can be read")
 }
