@@ -320,8 +320,19 @@ test('curves and a film are downloaded, and a link is copied that opens the same
     const { page } = window;
     const allowed = ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write'];
     await page.browserContext().overridePermissions(new URL(server.address).origin, allowed);
-    for (const [action, name, begin] of [['save the plots as a drawing', /\.svg$/, /^<svg|^<\?xml/], ['film', /\.gif$/, /^GIF89a/]]) {
+    const files = [
+        ['save the plots as a drawing', '', /\.svg$/, /^<svg|^<\?xml/],
+        ['film', '', /\.gif$/, /^GIF89a/],
+        ['film of 10 s', 'rods.mp4', /^rods\.mp4$/, /^....ftyp/s],
+    ];
+    for (const [action, typed, name, begin] of files) {
         await window.act(action);
+        if (typed) {
+            await window.rest(500);
+            await window.press('Control', 'a');
+            await page.keyboard.type(typed);
+            await window.rest(500);
+        }
         await window.press('Enter');
         const file = await window.download();
         assert.match(file.name, name);
