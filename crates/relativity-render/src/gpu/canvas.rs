@@ -84,41 +84,30 @@ impl Canvas {
         let last_passes: Vec<_> =
             last_passes(&frames[0]).map(|pass| (self.last_pass(gpu, pass), TILES[0] * TILES[1])).collect();
         let frames = self.frame_bind_groups(gpu, &target.frames, frames.len(), appearance.colour);
-        self.draw(gpu, target, &frames[0], &last_passes, drawing.parts(), |pass, part| {
-            drawing.record(pass, part, &target.vertices, &frames);
+        self.draw(gpu, target, &frames[0], &last_passes, |pass| {
+            drawing.record(pass, &target.vertices, &frames);
         });
     }
 
-    /// Draws this number of `parts` of `bodies` into `target`, and so many tiles of each of the `last_passes`
-    /// over that, with the bindings of this `frame`.
+    /// Draws `bodies` into `target`, and so many tiles of each of the `last_passes` over that, with the
+    /// bindings of this `frame`.
     fn draw(
         &self,
         gpu: &Gpu,
         target: &EyeTarget,
         frame: &wgpu::BindGroup,
         last_passes: &[(wgpu::RenderPipeline, u32)],
-        parts: usize,
-        bodies: impl Fn(&mut wgpu::RenderPass<'_>, usize),
+        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) {
         let layers = target.layers(gpu);
-        let new_encoder = || gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let (mut encoder, mut before) = (new_encoder(), None);
-        for part in 0..parts {
-            let (is_first, is_last) = (part == 0, part + 1 == parts);
-            let store = if is_last { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
-            let mut samples = attachment(&layers.samples, store);
-            samples.resolve_target = is_last.then_some(&layers.bodies);
-            let mut depth = wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store };
-            if !is_first {
-                (samples.ops.load, depth.load) = (wgpu::LoadOp::Load, wgpu::LoadOp::Load);
-            }
-            let mut pass = begin_pass(&mut encoder, "bodies", &[Some(samples)], Some((&layers.depth, depth)));
-            bodies(&mut pass, part);
-            drop(pass);
-            if !is_last {
-                let submitted = gpu.queue.submit([std::mem::replace(&mut encoder, new_encoder()).finish()]);
-                gpu.wait_for(before.replace(submitted));
-            }
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let samples = wgpu::RenderPassColorAttachment {
+                resolve_target: Some(&layers.bodies),
+                ..attachment(&layers.samples, wgpu::StoreOp::Discard)
+            };
+            let mut pass = begin_pass(&mut encoder, "bodies", &[Some(samples)], Some(&layers.depth));
+            bodies(&mut pass);
         }
         {
             let picture = attachment(target.view(), wgpu::StoreOp::Store);
@@ -138,7 +127,7 @@ impl Canvas {
     pub fn try_bodies(&self, gpu: &Gpu, target: &EyeTarget, technique: &Technique, key: Key) {
         let pipeline = technique.pipeline(gpu, &self.body_layout(gpu), key);
         let frame = &self.frame_bind_groups(gpu, &target.frames, 1, Colour::White)[0];
-        self.draw(gpu, target, frame, &[], 1, |pass, _| {
+        self.draw(gpu, target, frame, &[], |pass| {
             pass.set_bind_group(0, frame, &[]);
             pass.set_pipeline(&pipeline);
             for slot in 0..technique.buffers.len() {
@@ -151,7 +140,7 @@ impl Canvas {
     /// Makes the pipeline of a last pass, and draws one tile of `target` with it.
     pub fn try_last_pass(&self, gpu: &Gpu, target: &EyeTarget, pass: LastPass) {
         let frame = &self.frame_bind_groups(gpu, &target.frames, 1, Colour::White)[0];
-        self.draw(gpu, target, frame, &[(self.last_pass(gpu, pass), 1)], 1, |_, _| ());
+        self.draw(gpu, target, frame, &[(self.last_pass(gpu, pass), 1)], |_| ());
     }
 
     /// Returns the hits at the centre of every pixel of `view` of `scene`, its bodies drawn as `drawing`
@@ -170,7 +159,7 @@ impl Canvas {
         drawing.load(gpu, &mut vertices, &shot);
         let frames = FrameUniform::of_groups(scene, &views, &Appearance::default());
         let measures = self.measure(gpu, view.camera.size, &frames, |pass, frames| {
-            (0..drawing.parts()).for_each(|part| drawing.record(pass, part, &vertices, frames));
+            drawing.record(pass, &vertices, frames);
         })?;
         Ok(measures.hit_image(scene, view))
     }
@@ -195,8 +184,7 @@ impl Canvas {
         {
             let attachments =
                 [&measures_view, &places_view].map(|view| Some(attachment(view, wgpu::StoreOp::Store)));
-            let depth = wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard };
-            let mut pass = begin_pass(&mut encoder, "hits", &attachments, Some((&depth_view, depth)));
+            let mut pass = begin_pass(&mut encoder, "hits", &attachments, Some(&depth_view));
             bodies(&mut pass, &frames);
         }
         gpu.queue.submit([encoder.finish()]);
@@ -252,14 +240,15 @@ pub fn begin_pass<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     label: &str,
     color_attachments: &[Option<wgpu::RenderPassColorAttachment<'_>>],
-    depth: Option<(&wgpu::TextureView, wgpu::Operations<f32>)>,
+    depth: Option<&wgpu::TextureView>,
 ) -> wgpu::RenderPass<'a> {
+    let depth_ops = Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard });
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some(label),
         color_attachments,
-        depth_stencil_attachment: depth.map(|(view, depth)| wgpu::RenderPassDepthStencilAttachment {
+        depth_stencil_attachment: depth.map(|view| wgpu::RenderPassDepthStencilAttachment {
             view,
-            depth_ops: Some(depth),
+            depth_ops,
             stencil_ops: None,
         }),
         ..Default::default()

@@ -167,14 +167,6 @@ impl Gpu {
         self.device.poll(how).map(|_| ()).map_err(|_| GpuError::Lost)
     }
 
-    /// Waits until what was submitted there was `submitted` is finished, where that can be waited for.
-    pub(crate) fn wait_for(&self, submitted: Option<wgpu::SubmissionIndex>) {
-        if let Some(submission_index) = submitted.map(Some).filter(|_| self.reads_back()) {
-            // Whoever draws next hears of a lost device.
-            let _ = self.device.poll(wgpu::PollType::Wait { submission_index, timeout: None });
-        }
-    }
-
     /// Whether shaders can choose the samples they cover.
     pub(crate) fn has_sample_masks(&self) -> bool {
         self.info.backend != wgpu::Backend::Gl

@@ -38,19 +38,8 @@ pub trait Drawing {
     /// needs.
     fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>);
 
-    /// The number of parts that what was loaded is drawn in, one after the other.
-    fn parts(&self) -> usize {
-        1
-    }
-
-    /// Draws a part of what was loaded, with a bind group for the frame of each group.
-    fn record(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        part: usize,
-        vertices: &wgpu::Buffer,
-        frames: &[wgpu::BindGroup],
-    );
+    /// Draws what was loaded, with a bind group for the frame of each group.
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]);
 }
 
 /// Instances `I`, in the order they are drawn in: neighbours that one draw serves make a batch. Kept from
@@ -147,11 +136,6 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
     /// The batches, in order.
     pub fn iter(&self) -> impl Iterator<Item = &InstanceBatch<T>> {
         self.in_order.iter()
-    }
-
-    /// Returns the batch of this number.
-    pub fn get(&self, number: usize) -> &InstanceBatch<T> {
-        &self.in_order[number]
     }
 
     /// Sets the pipeline and the frame of `batch`.

@@ -14,7 +14,6 @@ mod parts;
 mod template;
 
 use std::collections::HashMap;
-use std::ops::Range;
 
 use crate::geometry::corners::{Corner, Template};
 use crate::geometry::kind::Kind;
@@ -27,10 +26,6 @@ pub use parts::MeshInstance;
 use parts::Parts;
 use template::Grid;
 
-/// The most corners of triangles that are submitted at once to a software device: it keeps what it has worked
-/// out about each, a kilobyte or two a triangle, until a later picture needs the memory.
-const MOST_IN_SOFTWARE: u32 = 30_000;
-
 /// Draws triangles over each body.
 #[derive(Debug)]
 pub struct MeshRenderer {
@@ -38,8 +33,6 @@ pub struct MeshRenderer {
     /// The grids on the device: of models those of the scene drawn last.
     templates: HashMap<Grid, LoadedTemplate>,
     batches: Batches<MeshInstance, Grid>,
-    /// The parts that all is drawn in: in each the numbers of batches, with instances of these.
-    shares: Vec<Vec<(usize, Range<u32>)>>,
 }
 
 /// A template on the device.
@@ -73,38 +66,7 @@ impl MeshRenderer {
     /// A renderer on `gpu`.
     pub fn new(gpu: &Gpu, canvas: &Canvas) -> Self {
         let pipelines = Pipelines::new(TECHNIQUE, canvas.body_layout(gpu));
-        Self {
-            parts: Parts::default(),
-            templates: HashMap::new(),
-            batches: Batches::new(pipelines),
-            shares: Vec::new(),
-        }
-    }
-}
-
-impl MeshRenderer {
-    /// Divides all into parts that have about `most` corners, or are one instance.
-    fn divide(&mut self, most: u32) {
-        self.shares.clear();
-        self.shares.push(Vec::new());
-        let mut left = most;
-        for (number, batch) in self.batches.iter().enumerate() {
-            let corners = self.templates[&batch.template].count.max(1);
-            let mut rest = batch.instances.clone();
-            while !rest.is_empty() {
-                let until = rest.end.min(rest.start.saturating_add((left / corners).max(1)));
-                let share = rest.start..until;
-                rest.start = until;
-                left = left.saturating_sub(corners.saturating_mul(share.len() as u32));
-                if let Some(last) = self.shares.last_mut() {
-                    last.push((number, share));
-                }
-                if left == 0 || !rest.is_empty() {
-                    self.shares.push(Vec::new());
-                    left = most;
-                }
-            }
-        }
+        Self { parts: Parts::default(), templates: HashMap::new(), batches: Batches::new(pipelines) }
     }
 }
 
@@ -122,28 +84,16 @@ impl Drawing for MeshRenderer {
                 .entry(grid)
                 .or_insert_with(|| LoadedTemplate::new(gpu, &grid.template(shot.scene.models())));
         }
-        self.divide(if gpu.is_software() { MOST_IN_SOFTWARE } else { u32::MAX });
     }
 
-    fn parts(&self) -> usize {
-        self.shares.len()
-    }
-
-    fn record(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        part: usize,
-        vertices: &wgpu::Buffer,
-        frames: &[wgpu::BindGroup],
-    ) {
-        for (number, instances) in &self.shares[part] {
-            let batch = self.batches.get(*number);
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
+        for batch in self.batches.iter() {
             let template = &self.templates[&batch.template];
             self.batches.begin(pass, frames, batch);
             pass.set_vertex_buffer(0, template.corners.slice(..));
             pass.set_vertex_buffer(1, vertices.slice(..));
             pass.set_index_buffer(template.triangles.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..template.count, 0, instances.clone());
+            pass.draw_indexed(0..template.count, 0, batch.instances.clone());
         }
     }
 }

@@ -55,13 +55,7 @@ impl Drawing for RayRenderer {
         self.batches.refill(gpu, vertices, shot, self.pieces.runs());
     }
 
-    fn record(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        _: usize,
-        vertices: &wgpu::Buffer,
-        frames: &[wgpu::BindGroup],
-    ) {
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
         for batch in self.batches.iter() {
             self.batches.begin(pass, frames, batch);
             pass.set_vertex_buffer(0, vertices.slice(..));
