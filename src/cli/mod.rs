@@ -56,7 +56,7 @@ The eyes rest at x = -d/2 (left) and x = +d/2 (right).
 
 `gamow COMMAND --help` tells more, `gamow COMMAND -h` in short, `gamow --help ride` of one section of flags or of one flag.";
 
-/// A headless command.
+/// The commands that need no window.
 #[derive(Debug, Subcommand)]
 enum HeadlessCommand {
     Eval(commands::eval::EvalArgs),

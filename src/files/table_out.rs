@@ -65,7 +65,7 @@ impl<W: Write> TableWriter<W> {
         }
     }
 
-    /// Ends the table.
+    /// Writes what closes the table, and flushes the output.
     ///
     /// # Errors
     ///

@@ -111,7 +111,7 @@ impl<W: Write + Seek> Mp4Writer<W> {
         Ok(self.sizes.len() - before)
     }
 
-    /// Finishes the file.
+    /// Writes the remaining frames, and the header again with the sizes of all frames.
     ///
     /// # Errors
     ///

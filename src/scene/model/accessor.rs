@@ -65,7 +65,7 @@ pub const INDICES: Needed = Needed {
 };
 
 /// Checks that `accessor` has what is `needed`, and has all of it in these buffers.
-pub fn check(accessor: &Accessor<'_>, needed: &Needed, buffers: &[Vec<u8>]) -> Result<(), String> {
+fn check(accessor: &Accessor<'_>, needed: &Needed, buffers: &[Vec<u8>]) -> Result<(), String> {
     let number = accessor.index();
     if !needed.types.contains(&accessor.data_type()) || !needed.dimensions.contains(&accessor.dimensions()) {
         return Err(format!("accessor {number} must be {}", needed.words));

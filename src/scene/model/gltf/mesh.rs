@@ -7,7 +7,7 @@ use gltf::mesh::{Mode, Semantic};
 use gltf::{Accessor, Node, Primitive};
 
 use super::super::super::light::measured;
-use super::super::accessor::{PLACES, check, read, read_indices};
+use super::super::accessor::{PLACES, read, read_indices};
 use super::super::limits::check_count;
 use super::{LocalMesh, ModelReader, deform};
 
@@ -78,10 +78,9 @@ impl ModelReader<'_> {
         if let Some((_, local)) = self.latest.as_ref().filter(|(known, _)| *known == key) {
             return Ok(Rc::clone(local));
         }
-        check(places, &PLACES, &self.buffers)?;
-        let indices = self.indices(primitive, places.count())?;
         let corner = |corner: [f32; 3]| DVec3::from(corner.map(f64::from));
         let corners = read::<3>(places, &PLACES, &self.buffers, false)?.into_iter().map(corner).collect();
+        let indices = self.indices(primitive, places.count())?;
         let local = Rc::new(LocalMesh { corners, indices });
         self.latest = Some((key, Rc::clone(&local)));
         Ok(local)

@@ -123,7 +123,7 @@ struct ModelReader<'a> {
     /// The joints of skins, by the numbers of these.
     joints: HashMap<usize, Joints>,
     moves: Moves,
-    /// The mesh read last: often the next node has it, too.
+    /// The primitive that was decoded last, since the next node often has the same mesh.
     latest: Option<(MeshKey, Rc<LocalMesh>)>,
     model: RawModel,
 }

@@ -25,7 +25,7 @@ struct Saved<'a> {
     is_two_sided: bool,
     middle: DVec3,
     half: DVec3,
-    /// It takes longer to build than to send.
+    /// The hierarchy is sent, since building it anew takes longer.
     hierarchy: Cow<'a, Hierarchy>,
     fingerprint: u64,
 }
