@@ -3,7 +3,6 @@
 
 use std::time::Duration;
 
-use eframe::egui::ViewportId;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::commands::{Command, PlaybackCommand, SettingsCommand};
@@ -13,8 +12,8 @@ use gamow::flags::choices::RendererChoice;
 use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
 
 use super::support::{
-    assert_sane, builder, cyclist, label_starting_with, labels, pane, rest, type_into, wait_for,
-    window_of_size,
+    assert_sane, builder, cyclist, label_starting_with, labels, pane, repaint_delay, rest, type_into,
+    wait_for, wait_for_rest, window_of_size,
 };
 use super::{Test, device};
 
@@ -66,10 +65,6 @@ fn differences(window: &mut Harness<'_, App>, samples: u32) -> [f64; 2] {
     [f64::from(sum), f64::from(differing)].map(|sum| sum / f64::from(compared))
 }
 
-fn repaint_delay(window: &Harness<'_, App>) -> Duration {
-    window.output().viewport_output[&ViewportId::ROOT].repaint_delay
-}
-
 fn a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing() {
     let mut window = refined_window();
     assert!(!window.state().is_refined());
@@ -80,7 +75,7 @@ fn a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing() {
     // The marker and the hint cover the rest.
     assert!(smooth < 0.5 * plain && smooth < 0.02, "{smooth} of the pixels differ; before {plain}");
     rest(&mut window);
-    assert_eq!(repaint_delay(&window), Duration::MAX, "a window at rest uses no processor");
+    wait_for_rest(&mut window);
     // What was made is kept: the next frame makes nothing.
     window.step();
     assert!(window.state().is_refined());

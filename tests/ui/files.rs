@@ -1,10 +1,9 @@
 //! Files that are opened: the list of them, what is read again, and what is remembered.
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, ViewportId};
+use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::commands::{Command, FileCommand, PlaybackCommand, WindowCommand};
@@ -15,7 +14,7 @@ use gamow::app::state::files::purpose::Purpose;
 
 use super::Test;
 use super::picking::click;
-use super::support::{Wakes, cyclist, labels, open, pane, rest, wait_for_file, window};
+use super::support::{Wakes, cyclist, labels, open, pane, rest, wait_for_file, wait_for_rest, window};
 
 pub const TESTS: &[Test] = trials![
     the_last_of_two_files_is_shown,
@@ -117,7 +116,7 @@ fn a_scene_is_read_again_when_its_file_changes() {
     // Watching costs no frames.
     window.remove_cursor();
     rest(&mut window);
-    assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
+    wait_for_rest(&mut window);
 
     let wakes = Wakes::of(&window);
     let without_the_small_one = BALLS.split_inclusive('\n').take(6).collect::<String>();

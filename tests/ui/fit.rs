@@ -1,9 +1,6 @@
 //! The Fit tab: what it recovers from noisy curves, and what it says where there is nothing to recover. The
 //! corrected view, which shows whether the fitted speed is right.
 
-use std::time::Duration;
-
-use eframe::egui::ViewportId;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::commands::{PlaybackCommand, SettingsCommand};
@@ -19,7 +16,7 @@ use relativity_render::Geometry;
 
 use super::Test;
 use super::support::{
-    SEPARATION, cyclist, labels, rest, seen, settle, shown, type_into, window, window_of_size,
+    SEPARATION, cyclist, labels, rest, seen, settle, shown, type_into, wait_for_rest, window, window_of_size,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -264,8 +261,7 @@ fn a_hidden_fit_is_not_made() {
 fn a_window_that_shows_a_fit_rests() {
     let mut window = window_with_fit(fitted(0.9, FitSettings::default()));
     rest(&mut window);
-    let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
-    assert_eq!(repaint, Duration::MAX);
+    wait_for_rest(&mut window);
     window.state_mut().run(PlaybackCommand::GoTo(2.0));
     window.run();
     assert_eq!(window.state().fitting().requests(), 1, "the fit does not depend on T");
@@ -322,8 +318,7 @@ fn the_corrected_picture_costs_nothing_when_off() {
     settle(&mut window);
     assert!(window.get_by_label("Left eye view").rect().width() < 0.8 * before.width());
     rest(&mut window);
-    let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
-    assert_eq!(repaint, Duration::MAX);
+    wait_for_rest(&mut window);
     window.get_by_label("corrected").click();
     window.run();
     assert!(window.state().corrected().is_none());

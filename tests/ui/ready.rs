@@ -1,8 +1,6 @@
 //! What draws is made in the background: the window goes on meanwhile, or T waits for it.
 
-use std::time::Duration;
-
-use eframe::egui::{Event, Key, Modifiers, ViewportId};
+use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use gamow::app::commands::{Command, SettingsCommand, ShowCommand, Switch};
 use gamow::app::shell::App;
@@ -10,7 +8,9 @@ use gamow::app::state::State;
 use gamow::flags::choices::RendererChoice;
 use gamow::settings::Preset;
 
-use super::support::{builder, cyclist, rest, settle, wait_for, window_of_size, window_without_pictures};
+use super::support::{
+    builder, cyclist, rest, settle, wait_for, wait_for_rest, window_of_size, window_without_pictures,
+};
 use super::{Test, device};
 
 pub const TESTS: &[Test] = trials![
@@ -114,7 +114,7 @@ fn a_change_of_preset_or_layout_fades_for_a_moment_unless_nothing_is_to_move() {
             assert!(!window.state().is_fading());
             settle(&mut window);
             rest(&mut window);
-            assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
+            wait_for_rest(&mut window);
         }
     }
 }

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use clap::ValueEnum as _;
 use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::TextShape;
-use eframe::egui::{Pos2, Rect, Shape, Vec2};
+use eframe::egui::{Pos2, Rect, Shape, Vec2, ViewportId};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, HarnessBuilder};
 use gamow::app::commands::{Command, FileCommand, SettingsCommand};
@@ -232,6 +232,17 @@ pub fn wait_for(
 /// Steps the window until the notes on its pictures have faded: it is at rest then.
 pub fn rest(window: &mut Harness<'_, App>) {
     window.run_steps((5.0 / FRAME) as usize);
+}
+
+/// How long the window would sleep before its next frame, if nobody woke it.
+pub fn repaint_delay(window: &Harness<'_, App>) -> Duration {
+    window.output().viewport_output[&ViewportId::ROOT].repaint_delay
+}
+
+/// Steps the window until it asks for no further frame. A thread whose result the window has taken in asks for
+/// one, too, and may do so a moment later.
+pub fn wait_for_rest(window: &mut Harness<'_, App>) {
+    wait_for(window, "a window at rest uses no processor", |window| repaint_delay(window) == Duration::MAX);
 }
 
 /// Steps the window until no work is left in the background: in three frames together, since some begins in

@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
-use eframe::egui::{Key, Modifiers, ViewportId, pos2};
+use eframe::egui::{Key, Modifiers, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::shell::App;
 use relativity_render::Geometry;
 
 use super::Test;
-use super::support::{FRAME, cyclist, drag, rest, seen, shown, slider, type_into, window};
+use super::support::{FRAME, cyclist, drag, repaint_delay, rest, seen, shown, slider, type_into, window};
 
 pub const TESTS: &[Test] = trials![
     scrubbing_moves_the_time_and_the_readout,
@@ -124,10 +124,6 @@ fn keys_are_left_to_a_field_that_is_typed_in() {
     assert!(!state.scratch.playing);
     assert_eq!(state.document.settings.look.geometry, Geometry::Seen);
     assert_eq!(state.speed().beta(), 0.9);
-}
-
-fn repaint_delay(window: &Harness<'_, App>) -> Duration {
-    window.output().viewport_output[&ViewportId::ROOT].repaint_delay
 }
 
 fn a_paused_window_asks_for_no_frames() {
