@@ -127,6 +127,13 @@ pub fn read<const N: usize>(
     is_part: bool,
 ) -> Result<Vec<[f32; N]>, String> {
     let (kind, is_part) = (accessor.data_type(), is_part || accessor.normalized());
+    if kind == DataType::F32 {
+        // What nearly all are: without a choice of the type for each number.
+        return read_each(accessor, needed, buffers, |element| {
+            let (parts, _) = element.as_chunks();
+            std::array::from_fn(|part| parts.get(part).copied().map_or(0.0, f32::from_le_bytes))
+        });
+    }
     let number = |element: &[u8], part: usize| {
         let at = part * kind.size();
         let number = element.get(at..at + kind.size()).map_or(0.0, |bytes| number(bytes, kind));

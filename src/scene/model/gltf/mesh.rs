@@ -1,5 +1,6 @@
 //! The triangles of glTF meshes.
 
+use std::borrow::Cow;
 use std::rc::Rc;
 
 use glam::{DMat4, DVec3};
@@ -38,12 +39,14 @@ impl ModelReader<'_> {
             return Ok(());
         }
         check_count(self.model.triangles.len() + triangles)?;
-        let mut corners = local.corners.clone();
-        deform::morph(&mut corners, primitive, node, &self.buffers, &mut self.moves)?;
+        let mut corners = Cow::Borrowed(&local.corners);
+        if primitive.morph_targets().next().is_some() {
+            deform::morph(corners.to_mut(), primitive, node, &self.buffers, &mut self.moves)?;
+        }
         let joints = self.joints(node)?.filter(|_| primitive.get(&Semantic::Joints(0)).is_some());
         let placed = match &joints {
             Some(joints) => {
-                deform::skin(&mut corners, primitive, joints, &self.buffers, &mut self.moves)?;
+                deform::skin(corners.to_mut(), primitive, joints, &self.buffers, &mut self.moves)?;
                 DMat4::IDENTITY
             }
             None => placed,
@@ -62,7 +65,7 @@ impl ModelReader<'_> {
         model.texture_numbers.resize(model.triangles.len(), texture);
         let measured = material.name().map_or(Ok(None), measured)?;
         model.materials.resize(model.triangles.len(), measured);
-        model.corners.extend(corners.into_iter().map(|corner| placed.transform_point3(corner).to_array()));
+        model.corners.extend(corners.iter().map(|&corner| placed.transform_point3(corner).to_array()));
         Ok(())
     }
 
