@@ -75,7 +75,7 @@ pub enum Method {
     ///
     /// On a processor that has not even registers of four numbers, the rays or the reference draw instead.
     Packets,
-    /// Triangles on the GPU: a fixed grid over each body.
+    /// Triangles on the GPU: a grid over each body, as fine as the body is large in the picture.
     ///
     /// # Accuracy
     ///
@@ -96,7 +96,7 @@ pub enum Method {
 
 impl Method {
     /// Greatest distance at which the mesh draws a point from where it is seen, pixels, in pictures with up
-    /// to 1,000 pixels per radian. Its triangles are the same in every picture, so the distance grows in
+    /// to 1,000 pixels per radian. Its finest triangles are the same in every picture, so the distance grows in
     /// proportion in finer ones: [`Self::mesh_error_px`].
     pub const MESH_ERROR_PX: f64 = 0.5;
 

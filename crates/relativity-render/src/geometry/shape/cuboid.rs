@@ -9,7 +9,7 @@ use super::round::Arc;
 use super::strokes::Stroke;
 use crate::geometry::block::Block;
 use crate::geometry::capsule::Capsule;
-use crate::geometry::corners::{Corner, Template};
+use crate::geometry::corners::{Coarseness, Corner, Template};
 use crate::geometry::kind::Kind;
 use crate::kinematics::spin::Spin;
 
@@ -159,6 +159,11 @@ impl CentredShape for BoxForm {
             .sum()
     }
 
+    /// Its sides.
+    fn grid_sizes(&self) -> [f64; 3] {
+        (2.0 * self.half).to_array()
+    }
+
     fn parallels_radius(&self) -> f64 {
         0.0
     }
@@ -182,36 +187,37 @@ impl CentredShape for BoxForm {
     }
 }
 
-/// Segments of the grid along each axis.
+/// Segments of the finest grid along each axis.
 const SEGMENTS: u32 = 128;
 
 /// Corners and triangles of a box: the six faces of the cube from -1 to 1, each a grid.
-pub(super) fn template() -> Template {
+pub(super) fn template(coarseness: Coarseness) -> Template {
     let mut template = Template::default();
+    let segments = [0, 1, 2].map(|axis| coarseness.segments(axis, SEGMENTS, 1));
     for axis in 0..3 {
         for side in [-1.0, 1.0] {
-            add_face(&mut template, axis, side);
+            add_face(&mut template, axis, side, segments);
         }
     }
     template
 }
 
-/// The face across an axis, on one `side`.
-fn add_face(template: &mut Template, axis: usize, side: f32) {
+/// The face across an axis, on one `side`, of so many `segments` along each axis.
+fn add_face(template: &mut Template, axis: usize, side: f32, segments: [u32; 3]) {
     // As seen from outside, the second axis is a quarter turn from the first.
     let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
     let (u, v) = if side > 0.0 { (first, second) } else { (second, first) };
     let start = template.corners.len() as u32;
-    let share = |i: u32| (2.0 * f64::from(i) / f64::from(SEGMENTS) - 1.0) as f32;
-    for j in 0..=SEGMENTS {
-        for i in 0..=SEGMENTS {
+    let share = |i: u32, along: usize| (2.0 * f64::from(i) / f64::from(segments[along]) - 1.0) as f32;
+    for j in 0..=segments[v] {
+        for i in 0..=segments[u] {
             let mut profile = [0.0, 0.0, 0.0, axis as f32];
-            (profile[axis], profile[u], profile[v]) = (side, share(i), share(j));
+            (profile[axis], profile[u], profile[v]) = (side, share(i, u), share(j, v));
             template.corners.push(Corner { profile, turn: [0.0; 2] });
         }
     }
-    let row = SEGMENTS + 1;
-    let lows = (0..SEGMENTS).flat_map(|j| (0..SEGMENTS).map(move |i| start + j * row + i));
+    let row = segments[u] + 1;
+    let lows = (0..segments[v]).flat_map(|j| (0..segments[u]).map(move |i| start + j * row + i));
     template
         .triangles
         .extend(lows.flat_map(|low| [low, low + 1, low + row, low + row, low + 1, low + row + 1]));

@@ -9,7 +9,7 @@ use super::round::{Arc, circle, closing, disc, grid_with_ends, outward};
 use super::strokes::{Path, Stroke};
 use crate::geometry::block::Block;
 use crate::geometry::capsule::Capsule;
-use crate::geometry::corners::Template;
+use crate::geometry::corners::{Coarseness, Template};
 use crate::geometry::kind::Kind;
 use crate::kinematics::spin::Spin;
 
@@ -193,6 +193,10 @@ impl CentredShape for CylinderForm {
         self.half_length
     }
 
+    fn grid_sizes(&self) -> [f64; 3] {
+        [self.radius, self.radius, self.half_length].map(|half| 2.0 * half)
+    }
+
     fn parallels_radius(&self) -> f64 {
         self.radius
     }
@@ -218,8 +222,8 @@ impl CentredShape for CylinderForm {
 }
 
 /// Corners and triangles of a cylinder.
-pub(super) fn template() -> Template {
-    grid_with_ends(profile)
+pub(super) fn template(coarseness: Coarseness) -> Template {
+    grid_with_ends(profile, coarseness)
 }
 
 /// From the middle of one end to that of the other.

@@ -17,7 +17,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 use crate::geometry::block::Block;
 use crate::geometry::capsule::Capsule;
-use crate::geometry::corners::Template;
+use crate::geometry::corners::{Coarseness, Template};
 use crate::geometry::kind::Kind;
 use crate::kinematics::spin::{Spin, about_y};
 pub(crate) use cuboid::BoxForm;
@@ -288,12 +288,12 @@ impl PreparedShape {
 }
 
 /// Corners and triangles of the shape of this `kind`; none of a model, which has its own.
-pub(crate) fn template(kind: Kind) -> Template {
+pub(crate) fn template(kind: Kind, coarseness: Coarseness) -> Template {
     match kind {
-        Kind::Tube => tube::template(),
-        Kind::Ring => ring::template(),
-        Kind::Box => cuboid::template(),
-        Kind::Cylinder => cylinder::template(),
+        Kind::Tube => tube::template(coarseness),
+        Kind::Ring => ring::template(coarseness),
+        Kind::Box => cuboid::template(coarseness),
+        Kind::Cylinder => cylinder::template(coarseness),
         Kind::Model => Template::default(),
     }
 }

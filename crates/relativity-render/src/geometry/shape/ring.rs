@@ -9,7 +9,7 @@ use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, Pl
 use super::round::{Arc, arc, circle, closing, disc, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::geometry::capsule::Capsule;
-use crate::geometry::corners::Template;
+use crate::geometry::corners::{Coarseness, Template};
 use crate::geometry::kind::Kind;
 use crate::geometry::polynomial::first_descent;
 use crate::kinematics::spin::Spin;
@@ -216,6 +216,10 @@ impl CentredShape for RingForm {
         disc(self.axis) * self.radius + self.tube_radius
     }
 
+    fn grid_sizes(&self) -> [f64; 3] {
+        [2.0 * (self.radius + self.tube_radius), 2.0 * self.tube_radius, 0.0]
+    }
+
     fn parallels_radius(&self) -> f64 {
         self.tube_radius
     }
@@ -238,12 +242,14 @@ impl CentredShape for RingForm {
     }
 }
 
-/// Segments of the grid around the axis, and around the tube.
+/// Segments of the finest grid around the axis, and around the tube.
 const SEGMENTS: [u32; 2] = [256, 24];
+/// Fewest of each.
+const LEAST: [u32; 2] = [8, 3];
 
 /// Corners and triangles of a ring.
-pub(super) fn template() -> Template {
-    let [around, tube] = SEGMENTS;
+pub(super) fn template(coarseness: Coarseness) -> Template {
+    let [around, tube] = [0, 1].map(|way| coarseness.segments(way, SEGMENTS[way], LEAST[way]));
     let profile = (0..=tube).map(|i| {
         let (sine, cosine) = sin_cos(TAU * f64::from(i) / f64::from(tube));
         [cosine as f32, sine as f32, 0.0, 0.0]

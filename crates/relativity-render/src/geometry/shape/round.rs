@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::{DQuat, DVec3};
 use relativity_core::math::{atan2, hypot, sin_cos};
 
-use crate::geometry::corners::{Corner, Template};
+use crate::geometry::corners::{Coarseness, Corner, Template};
 
 /// An arc along an axis, from the beginning, and its gradient.
 pub(crate) type Arc = (f64, DVec3);
@@ -59,12 +59,14 @@ pub(crate) fn turn_to(axis: DVec3) -> DQuat {
     if turn.length() == 0.0 { DQuat::from_xyzw(1.0, 0.0, 0.0, 0.0) } else { turn.normalize() }
 }
 
-/// Segments of the grid around a body with two ends, along each end and along its side.
+/// Segments of the finest grid around a body with two ends, along each end and along its side.
 const SEGMENTS: [u32; 3] = [64, 16, 128];
+/// Fewest of each.
+const LEAST: [u32; 3] = [4, 1, 1];
 
 /// The grid over a body with two ends, whose `profile` has so many segments along an end and along the side.
-pub(super) fn grid_with_ends(profile: fn(u32, u32) -> Vec<[f32; 4]>) -> Template {
-    let [around, end, side] = SEGMENTS;
+pub(super) fn grid_with_ends(profile: fn(u32, u32) -> Vec<[f32; 4]>, coarseness: Coarseness) -> Template {
+    let [around, end, side] = [0, 1, 2].map(|way| coarseness.segments(way, SEGMENTS[way], LEAST[way]));
     grid(&profile(end, side), around)
 }
 

@@ -9,7 +9,7 @@ use super::questions::{CentredShape, LocalRay, PackedForm, PackedShape, PlacedSh
 use super::round::{Arc, arc, ball_entry, closing, grid_with_ends, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::geometry::capsule::Capsule;
-use crate::geometry::corners::Template;
+use crate::geometry::corners::{Coarseness, Template};
 use crate::geometry::kind::Kind;
 use crate::kinematics::spin::Spin;
 
@@ -141,6 +141,10 @@ impl CentredShape for TubeForm {
         self.half_length
     }
 
+    fn grid_sizes(&self) -> [f64; 3] {
+        [self.radius, self.radius, self.half_length].map(|half| 2.0 * half)
+    }
+
     fn parallels_radius(&self) -> f64 {
         self.radius
     }
@@ -168,8 +172,8 @@ pub(super) fn along_tube(half_length: f64, radius: f64, off_axis: f64, outward: 
 }
 
 /// Corners and triangles of a tube; of a ball, whose sides have no length.
-pub(super) fn template() -> Template {
-    grid_with_ends(profile)
+pub(super) fn template(coarseness: Coarseness) -> Template {
+    grid_with_ends(profile, coarseness)
 }
 
 /// From the pole of one end to that of the other.

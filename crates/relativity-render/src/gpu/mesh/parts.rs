@@ -8,8 +8,10 @@ use glam::DVec3;
 use relativity_core::math::hypot;
 use relativity_core::threads::prelude::*;
 
+use super::size::Sizes;
 use super::template::Grid;
 use crate::geometry::capsule::Capsule;
+use crate::geometry::corners::Coarseness;
 use crate::geometry::intersect::Solid;
 use crate::gpu::drawing::{Shot, Trait};
 use crate::kinematics::spin::MaterialPoint;
@@ -76,6 +78,7 @@ impl Parts {
     pub fn refill(&mut self, shot: &Shot<'_>) {
         let Shot { scene, views, appearance, .. } = *shot;
         let projections: Vec<_> = views.iter().map(FootprintMap::new).collect();
+        let sizes: Vec<_> = views.iter().map(Sizes::new).collect();
         let ball = |body: &PreparedBody| {
             if body.is_turned {
                 return *scene.ball_around(body);
@@ -91,12 +94,17 @@ impl Parts {
             matches!(view.geometry, Geometry::Published | Geometry::OneCone)
                 || !projections[body.group].hides(middle, radius)
         };
+        let coarseness = |body: &PreparedBody| {
+            let px_per_length = sizes[body.group].px_per_length(&ball(body));
+            let sizes = scene.solid(body.number).form.answers().grid_sizes();
+            Coarseness::for_sizes(sizes.map(|size| size * px_per_length))
+        };
         let part = |body: &PreparedBody| {
             let view = &views[body.group];
             // What numbers show is drawn as wide as it is.
             let half_width = appearance.map(|_| half_width(body, scene.solid(body.number), view));
             DrawnBody {
-                grid: Grid::of(body),
+                grid: Grid::of(body, || coarseness(body)),
                 instance: MeshInstance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
                 joint: body.joint,
