@@ -239,8 +239,8 @@ pub fn repaint_delay(window: &Harness<'_, App>) -> Duration {
     window.output().viewport_output[&ViewportId::ROOT].repaint_delay
 }
 
-/// Steps the window until it asks for no further frame. A thread whose result the window has taken in asks for
-/// one, too, and may do so a moment later.
+/// Steps the window until it asks for no further frame. A thread whose result the window has taken in asks
+/// for one, too, and may do so a moment later.
 pub fn wait_for_rest(window: &mut Harness<'_, App>) {
     wait_for(window, "a window at rest uses no processor", |window| repaint_delay(window) == Duration::MAX);
 }

@@ -96,8 +96,8 @@ pub enum Method {
 
 impl Method {
     /// Greatest distance at which the mesh draws a point from where it is seen, pixels, in pictures with up
-    /// to 1,000 pixels per radian. Its finest triangles are the same in every picture, so the distance grows in
-    /// proportion in finer ones: [`Self::mesh_error_px`].
+    /// to 1,000 pixels per radian. Its finest triangles are the same in every picture, so the distance grows
+    /// in proportion in finer ones: [`Self::mesh_error_px`].
     pub const MESH_ERROR_PX: f64 = 0.5;
 
     /// Pixels per radian up to which the mesh keeps [`Self::MESH_ERROR_PX`].

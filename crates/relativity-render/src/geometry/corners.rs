@@ -19,8 +19,8 @@ pub struct Coarseness([u8; 3]);
 impl Coarseness {
     /// The most halvings.
     const MOST: u8 = 7;
-    /// Size in the picture, pixels, up to which half the segments do. Of a circle of that size 32 segments are
-    /// 0.24 px off.
+    /// Size in the picture, pixels, up to which half the segments do. Of a circle of that size 32 segments
+    /// are 0.24 px off.
     const HALVED_PX: f64 = 100.0;
 
     /// Returns the coarseness for these greatest sizes in the picture, pixels: infinite where nobody knows.

@@ -129,8 +129,8 @@ pub(crate) trait CentredShape {
         0.0
     }
 
-    /// Returns its sizes in the ways in which its grid is divided: around, across an end and along the side of
-    /// what has two ends; around the axis and around the tube of a ring; along the axes of a box.
+    /// Returns its sizes in the ways in which its grid is divided: around, across an end and along the side
+    /// of what has two ends; around the axis and around the tube of a ring; along the axes of a box.
     fn grid_sizes(&self) -> [f64; 3];
 
     /// Returns the radius of the circle that parallels divide; 0 of what has none.

@@ -28,13 +28,13 @@ impl<'a> Sizes<'a> {
         Self { view, px_per_radian: camera.focal_length_px() * stretch, is_conformal }
     }
 
-    /// Returns the greatest length in the picture, pixels, of a unit of length of what is inside `ball`: infinite
-    /// where the picture has no bound for it.
+    /// Returns the greatest length in the picture, pixels, of a unit of length of what is inside `ball`:
+    /// infinite where the picture has no bound for it.
     ///
-    /// Across the motion everything is seen where it is. Along it what is farther ahead is seen farther ahead,
-    /// and what is farther from the line of motion through the eye farther behind: so the ball is seen within
-    /// the ends of the rectangle that it sweeps as it is turned about that line, and nothing in it is longer
-    /// than at one of that rectangle's corners, gamma (1 - beta cos) times its own length.
+    /// Across the motion everything is seen where it is. Along it what is farther ahead is seen farther
+    /// ahead, and what is farther from the line of motion through the eye farther behind: so the ball is seen
+    /// within the ends of the rectangle that it sweeps as it is turned about that line, and nothing in it is
+    /// longer than at one of that rectangle's corners, gamma (1 - beta cos) times its own length.
     pub fn px_per_length(&self, ball: &Capsule) -> f64 {
         let Capsule { from: center, radius, .. } = *ball;
         let view = self.view;
