@@ -244,12 +244,15 @@ impl CentredShape for RingForm {
 
 /// Segments of the finest grid around the axis, and around the tube.
 const SEGMENTS: [u32; 2] = [256, 24];
+/// Segments around the tube as other round bodies have them.
+const ROUND: u32 = 64;
 /// Fewest of each.
-const LEAST: [u32; 2] = [8, 3];
+const LEAST: [u32; 2] = [8, 4];
 
 /// Corners and triangles of a ring.
 pub(super) fn template(coarseness: Coarseness) -> Template {
-    let [around, tube] = [0, 1].map(|way| coarseness.segments(way, SEGMENTS[way], LEAST[way]));
+    let around = coarseness.segments(0, SEGMENTS[0], LEAST[0]);
+    let tube = coarseness.segments(1, ROUND, LEAST[1]).min(SEGMENTS[1]);
     let profile = (0..=tube).map(|i| {
         let (sine, cosine) = sin_cos(TAU * f64::from(i) / f64::from(tube));
         [cosine as f32, sine as f32, 0.0, 0.0]

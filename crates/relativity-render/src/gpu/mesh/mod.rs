@@ -1,11 +1,11 @@
 //! The mesh renderer: triangles whose corners go through the apparent position.
 //!
 //! It draws any map of points, and so what has no straight lines of sight: the published binocular model,
-//! which is defined point by point, and one light cone for both eyes. Each body is an instance of a grid
-//! over its unit shape ([`template`]), as fine as the body is large in the picture ([`size`]), which the
-//! shader spaces along the body by the rapidity at which it is seen. Corners lie exactly where the light cone
-//! says; between them the picture is off by what
-//! [`Method::MESH_ERROR_PX`](crate::renderers::Method::MESH_ERROR_PX) states.
+//! which is defined point by point, and one light cone for both eyes. Each body is an instance of a grid over
+//! its unit shape ([`template`]), as fine as the body is large in the picture ([`size`]), which the shader
+//! spaces along the body by the rapidity at which it is seen. Corners lie exactly where the light cone says;
+//! between them the picture is off by what [`Method::MESH_ERROR_PX`](crate::renderers::Method::MESH_ERROR_PX)
+//! states.
 //!
 //! Which of two bodies is nearer is decided by the pixel's ray where there is one, as by the rays:
 //! bodies that nearly touch are nearer to each other than triangles are to their surfaces.
