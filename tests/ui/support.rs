@@ -234,7 +234,7 @@ pub fn rest(window: &mut Harness<'_, App>) {
     window.run_steps((5.0 / FRAME) as usize);
 }
 
-/// How long the window would sleep before its next frame, if nobody woke it.
+/// Returns the time for which the window would sleep before its next frame, if nobody woke it.
 pub fn repaint_delay(window: &Harness<'_, App>) -> Duration {
     window.output().viewport_output[&ViewportId::ROOT].repaint_delay
 }

@@ -11,13 +11,13 @@ pub struct Corner {
     pub turn: [f32; 2],
 }
 
-/// How coarse a grid over a shape is: how often the number of its segments is halved, in each of the ways in
-/// which [`CentredShape::grid_sizes`](super::shape::questions::CentredShape::grid_sizes) has it divided.
+/// The coarseness of a grid over a shape: the number of times that its segments are halved, for each of the
+/// directions of [`CentredShape::grid_sizes`](super::shape::questions::CentredShape::grid_sizes).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Coarseness([u8; 3]);
 
 impl Coarseness {
-    /// The most halvings.
+    /// The number of halvings beyond which no shape has fewer segments.
     const MOST: u8 = 7;
     /// Size in the picture, pixels, up to which half the segments do. Of a circle of that size 32 segments
     /// are 0.24 px off.

@@ -89,8 +89,8 @@ impl Canvas {
         });
     }
 
-    /// Draws `bodies` into `target`, and so many tiles of each of the `last_passes` over that, with the
-    /// bindings of this `frame`.
+    /// Draws `bodies` into `target`, and over them each of the `last_passes`, given with its number of tiles,
+    /// with the bindings of this `frame`.
     fn draw(
         &self,
         gpu: &Gpu,

@@ -159,7 +159,6 @@ impl CentredShape for BoxForm {
             .sum()
     }
 
-    /// Its sides.
     fn grid_sizes(&self) -> [f64; 3] {
         (2.0 * self.half).to_array()
     }
@@ -202,7 +201,8 @@ pub(super) fn template(coarseness: Coarseness) -> Template {
     template
 }
 
-/// The face across an axis, on one `side`, of so many `segments` along each axis.
+/// Adds the face across `axis` on one `side`, a grid that has as many segments along each axis as `segments`
+/// gives for it.
 fn add_face(template: &mut Template, axis: usize, side: f32, segments: [u32; 3]) {
     // As seen from outside, the second axis is a quarter turn from the first.
     let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);

@@ -193,10 +193,6 @@ impl CentredShape for CylinderForm {
         self.half_length
     }
 
-    fn grid_sizes(&self) -> [f64; 3] {
-        [self.radius, self.radius, self.half_length].map(|half| 2.0 * half)
-    }
-
     fn parallels_radius(&self) -> f64 {
         self.radius
     }

@@ -131,7 +131,10 @@ pub(crate) trait CentredShape {
 
     /// Returns its sizes in the ways in which its grid is divided: around, across an end and along the side
     /// of what has two ends; around the axis and around the tube of a ring; along the axes of a box.
-    fn grid_sizes(&self) -> [f64; 3];
+    fn grid_sizes(&self) -> [f64; 3] {
+        let radius = self.parallels_radius();
+        [radius, radius, self.half_length()].map(|half| 2.0 * half)
+    }
 
     /// Returns the radius of the circle that parallels divide; 0 of what has none.
     fn parallels_radius(&self) -> f64;

@@ -6,7 +6,7 @@ use glam::{DQuat, DVec2, DVec3};
 use relativity_core::math::{cos, hypot, sin, sin_cos};
 
 use super::questions::{CentredShape, Foot, LocalRay, PackedForm, PackedShape, PlacedShape};
-use super::round::{Arc, arc, circle, closing, disc, grid, outward, turn_to};
+use super::round::{Arc, ROUND, arc, circle, closing, disc, grid, outward, turn_to};
 use super::strokes::{Path, Stroke};
 use crate::geometry::capsule::Capsule;
 use crate::geometry::corners::{Coarseness, Template};
@@ -244,14 +244,14 @@ impl CentredShape for RingForm {
 
 /// Segments of the finest grid around the axis, and around the tube.
 const SEGMENTS: [u32; 2] = [256, 24];
-/// Segments around the tube as other round bodies have them.
-const ROUND: u32 = 64;
-/// Fewest of each.
+/// Segments of the coarsest grid in the same two ways.
 const LEAST: [u32; 2] = [8, 4];
 
 /// Corners and triangles of a ring.
 pub(super) fn template(coarseness: Coarseness) -> Template {
     let around = coarseness.segments(0, SEGMENTS[0], LEAST[0]);
+    // The finest grid has fewer segments there than other round bodies: they are counted from as many as
+    // those.
     let tube = coarseness.segments(1, ROUND, LEAST[1]).min(SEGMENTS[1]);
     let profile = (0..=tube).map(|i| {
         let (sine, cosine) = sin_cos(TAU * f64::from(i) / f64::from(tube));

@@ -59,9 +59,11 @@ pub(crate) fn turn_to(axis: DVec3) -> DQuat {
     if turn.length() == 0.0 { DQuat::from_xyzw(1.0, 0.0, 0.0, 0.0) } else { turn.normalize() }
 }
 
+/// Number of segments around a round body in its finest grid.
+pub(super) const ROUND: u32 = 64;
 /// Segments of the finest grid around a body with two ends, along each end and along its side.
-const SEGMENTS: [u32; 3] = [64, 16, 128];
-/// Fewest of each.
+const SEGMENTS: [u32; 3] = [ROUND, 16, 128];
+/// Segments of the coarsest grid in the same three ways.
 const LEAST: [u32; 3] = [4, 1, 1];
 
 /// The grid over a body with two ends, whose `profile` has so many segments along an end and along the side.

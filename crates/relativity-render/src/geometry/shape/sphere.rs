@@ -123,10 +123,6 @@ impl CentredShape for SphereForm {
         DVec3::splat(self.radius)
     }
 
-    fn grid_sizes(&self) -> [f64; 3] {
-        [2.0 * self.radius, 2.0 * self.radius, 0.0]
-    }
-
     fn parallels_radius(&self) -> f64 {
         self.radius
     }

@@ -25,7 +25,7 @@ struct Saved<'a> {
     is_two_sided: bool,
     middle: DVec3,
     half: DVec3,
-    /// The hierarchy is sent, since building it anew takes longer.
+    /// The hierarchy of the triangles. Building it anew from them would take longer than reading it.
     hierarchy: Cow<'a, Hierarchy>,
     fingerprint: u64,
 }

@@ -1,17 +1,20 @@
-//! How large bodies are in a picture, at most, after which the grids go that they are drawn as.
+//! Bounds on the size of bodies in a picture, from which it follows how fine a grid each of them needs.
 
 use glam::DVec3;
 use relativity_core::math::hypot;
 
+use crate::camera::axes::Axes;
 use crate::geometry::capsule::Capsule;
 use crate::view::group_view::GroupView;
 
 /// Tells how large the bodies of a group are in a picture.
 pub struct Sizes<'a> {
     view: &'a GroupView,
-    /// How much longer the picture is than the tangent of the angle, at its most stretched place, pixels.
+    /// The greatest number of pixels that a radian has anywhere in the picture, or in a conformal one a unit
+    /// of u.
     px_per_radian: f64,
-    is_conformal: bool,
+    /// The axes of a conformal picture.
+    axes: Option<Axes>,
 }
 
 impl<'a> Sizes<'a> {
@@ -25,7 +28,8 @@ impl<'a> Sizes<'a> {
         // Towards the corners of a flat picture an angle is longer by the square of the secant; a conformal
         // one shows all of its columns alike.
         let stretch = if is_conformal { 1.0 } else { aside * aside + half_height * half_height };
-        Self { view, px_per_radian: camera.focal_length_px() * stretch, is_conformal }
+        let axes = is_conformal.then(|| camera.axes());
+        Self { view, px_per_radian: camera.focal_length_px() * stretch, axes }
     }
 
     /// Returns the greatest length in the picture, pixels, of a unit of length of what is inside `ball`:
@@ -61,12 +65,9 @@ impl<'a> Sizes<'a> {
         }
         let reach = hypot(0.5 * (high - low), radius);
         let middle = view.velocity.camera_from_motion(DVec3 { x: 0.5 * (low + high), ..middle + aside });
-        let away = if self.is_conformal {
-            let axes = view.camera.axes();
-            hypot(middle.dot(axes.forward), middle.dot(axes.up))
-        } else {
-            middle.length()
-        };
+        let away = self
+            .axes
+            .map_or_else(|| middle.length(), |axes| hypot(middle.dot(axes.forward), middle.dot(axes.up)));
         let distance = away - reach;
         if distance > 0.0 { longest * self.px_per_radian / distance } else { f64::INFINITY }
     }
