@@ -20,3 +20,8 @@ install_packages() {
     as_root apt-get update -qq
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
 }
+
+# What judges the libraries. It runs for seconds: optimised, it would be built for minutes.
+install_cargo_deny() {
+    command -v cargo-deny >/dev/null || cargo install --quiet --debug --locked cargo-deny@0.20.2
+}

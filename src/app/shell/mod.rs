@@ -44,6 +44,7 @@ use crate::app::shell::window_state::WindowState;
 use crate::app::state::State;
 use crate::app::state::files::reader::Reader;
 use crate::app::state::fitting::Fitting;
+use crate::app::state::frame::Looked;
 use crate::app::state::plots::curves::QuantityCurves;
 use crate::app::state::riding::saddle::RideCommand;
 use crate::app::tools::aids;
@@ -79,6 +80,8 @@ pub struct App {
     system_fonts: Arc<SystemFonts>,
     /// Pictures in the projector's window, once there was one.
     projected: Option<EyePictures>,
+    /// How the eyes look in them.
+    projected_looks: [Option<Looked>; 2],
     /// On which screen the projector's window is.
     screen: Screen,
     full_screen: FullScreen,
@@ -128,6 +131,7 @@ impl App {
             refines: true,
             gpu_errors: GpuErrors::new(ctx, render_state),
             projected: None,
+            projected_looks: [None, None],
             screen: Screen::default(),
             full_screen: FullScreen::default(),
             fade: Fade::default(),

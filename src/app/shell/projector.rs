@@ -99,7 +99,11 @@ impl App {
         let picture = self.state.frame.picture;
         let examination = self.examination.take();
         let choices = self.state.frame.choices.clone();
-        std::mem::swap(&mut self.eyes, &mut self.projected);
+        let mut swap_pictures = || {
+            std::mem::swap(&mut self.eyes, &mut self.projected);
+            std::mem::swap(&mut self.state.frame_mut().looks, &mut self.projected_looks);
+        };
+        swap_pictures();
         let fade = std::mem::take(&mut self.fade);
         self.measure_pictures(ui, &panes);
         self.choose_methods(ui, &panes);
