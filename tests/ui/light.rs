@@ -11,6 +11,7 @@ use super::support::{cyclist, labels, seen, window};
 
 pub const TESTS: &[Test] = trials![
     the_light_tab_slides_a_spectrum_by_the_doppler_factor_of_each_eye,
+    what_moves_in_the_streets_daylight_is_emitted_as_it_is_lit,
     light_of_one_wavelength_is_a_line_at_the_wavelengths_of_the_core,
     false_colours_have_no_spectrum,
 ];
@@ -66,6 +67,26 @@ fn the_light_tab_slides_a_spectrum_by_the_doppler_factor_of_each_eye() {
     }
     let svg = window.state_mut().plots_svg();
     assert!(svg.contains(">wavelength / nm<") && svg.contains("Spectrum of front tyre"), "{svg}");
+}
+
+/// A point of a wheel has a motion of its own when its light leaves for each eye.
+fn what_moves_in_the_streets_daylight_is_emitted_as_it_is_lit() {
+    let mut window = window(showing(Colour::StreetDaylight));
+    let time = window.state().state().document.time;
+    let (head, rows) = table(&window.state_mut().plots_csv());
+    assert_eq!(
+        head,
+        "wavelength / nm,emitted at rest,emitted to the left eye,emitted to the right eye,left eye,right eye"
+    );
+    for (eye, name) in ["left eye", "right eye"].into_iter().enumerate() {
+        assert_label(&window, &format!("Emitted to the {name}: lit with D = "));
+        let factor = seen(BETA, time, eye).doppler_factor;
+        let received = sum(&rows, 4 + eye, [400.0, 700.0]);
+        let emitted = sum(&rows, 2 + eye, [400.0 * factor, 700.0 * factor]) * factor.powi(4);
+        assert!((received / emitted - 1.0).abs() < 0.01, "{received} {emitted}");
+        let at_rest = sum(&rows, 1, [400.0, 700.0]);
+        assert!((sum(&rows, 2 + eye, [400.0, 700.0]) / at_rest - 1.0).abs() > 0.05, "{at_rest}");
+    }
 }
 
 fn light_of_one_wavelength_is_a_line_at_the_wavelengths_of_the_core() {

@@ -100,6 +100,8 @@ pub use gpu::target::EyeTarget;
 pub use kinematics::relative_velocity::RelativeVelocity;
 pub use kinematics::spin::{MaterialPoint, Spin};
 pub use kinematics::velocity::{Motion, Velocity};
+pub use light::daylight::Facing;
+pub use light::falling::FallingDaylight;
 pub use light::screen_light::{Light, received_intensity};
 pub use picture::compose::Composition;
 pub use picture::hit::{Hit, HitImage};

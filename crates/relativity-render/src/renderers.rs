@@ -75,7 +75,8 @@ pub enum Method {
     ///
     /// On a processor that has not even registers of four numbers, the rays or the reference draw instead.
     Packets,
-    /// Triangles on the GPU: a grid over each body, as fine as the body is large in the picture.
+    /// Triangles on the GPU: a grid over each body, as fine as the body is large in the picture. What stands
+    /// still in a view of the published model, or of one light cone for both eyes, is drawn by the rays.
     ///
     /// # Accuracy
     ///
@@ -232,12 +233,15 @@ impl Renderers {
         appearance: &Appearance,
     ) -> Vec<NeededPipeline> {
         let Some(gpu) = &self.gpu else { return Vec::new() };
-        let technique = match method.on_gpu(view) {
-            Method::Rays if gpu.has_rays() => rays::technique(gpu),
-            Method::Mesh => mesh::TECHNIQUE,
-            Method::Reference | Method::Packets | Method::Rays => return Vec::new(),
-        };
-        preparation::missing(gpu, technique, scene, view, appearance)
+        match method.on_gpu(view) {
+            Method::Rays if gpu.has_rays() => {
+                preparation::missing(gpu, |_| rays::technique(gpu), scene, view, appearance)
+            }
+            Method::Mesh => {
+                preparation::missing(gpu, |group| mesh::technique(gpu, group), scene, view, appearance)
+            }
+            Method::Reference | Method::Packets | Method::Rays => Vec::new(),
+        }
     }
 
     /// Draws `scene` into `target`, whose size overrides the camera's, by the GPU's substitute for `method`,
@@ -404,7 +408,7 @@ impl Renderers {
             Method::Reference | Method::Rays | Method::Packets => {
                 self.rays.get_or_insert_with(|| RayRenderer::new(gpu, canvas, self.bounds))
             }
-            Method::Mesh => self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu, canvas)),
+            Method::Mesh => self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu, canvas, self.bounds)),
         };
         Ok((gpu, canvas, drawing))
     }

@@ -73,6 +73,11 @@ impl AmongOthers {
 }
 
 impl Output {
+    /// Whether bodies thinner than a pixel are drawn.
+    pub const fn is_thin(self) -> bool {
+        matches!(self, Self::Picture { is_thin: true, .. })
+    }
+
     /// Returns the key for `view` of bodies that turn in this way: a picture with `appearance`, or numbers.
     pub fn new(
         view: &GroupView,

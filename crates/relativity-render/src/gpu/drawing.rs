@@ -138,6 +138,11 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
         self.in_order.iter()
     }
 
+    /// The batches of bodies that are thinner than a pixel, or of all others, in order.
+    pub fn of_bodies(&self, are_thin: bool) -> impl Iterator<Item = &InstanceBatch<T>> {
+        self.iter().filter(move |batch| batch.key.output.is_thin() == are_thin)
+    }
+
     /// Sets the pipeline and the frame of `batch`.
     pub fn begin(
         &self,

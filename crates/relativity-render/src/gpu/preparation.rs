@@ -16,6 +16,7 @@ use crate::frame::uniform::FrameUniform;
 use crate::geometry::kind::Kind;
 use crate::scene::prepared_scene::PreparedScene;
 use crate::street::backdrop::LastPass;
+use crate::view::group_view::GroupView;
 use crate::view::{Appearance, View};
 
 /// Side of the picture in which pipelines draw once, pixels.
@@ -41,11 +42,11 @@ pub struct PipelineMaker {
     target: EyeTarget,
 }
 
-/// Returns the pipelines that pictures by this technique need of `scene`, as `view` and `appearance` show it,
-/// and that are not made: for all its bodies, wherever they are and however thin they look.
+/// Returns the pipelines that pictures need of `scene`, as `view` and `appearance` show it, and that are not
+/// made: for all its bodies, wherever they are and however thin they look. `technique` is that of each group.
 pub fn missing(
     gpu: &Gpu,
-    technique: Technique,
+    technique: impl Fn(&GroupView) -> Technique,
     scene: &PreparedScene,
     view: &View,
     appearance: &Appearance,
@@ -66,7 +67,7 @@ pub fn missing(
     }
     let of_bodies = drawn.into_iter().map(|Trait { group, kind, is_thin, is_patterned, turns, .. }| {
         let output = Output::new(&views[group], turns, Some(appearance), is_thin, is_patterned);
-        Part::Bodies(technique, Key::new(kind, turns, &views, group, output))
+        Part::Bodies(technique(&views[group]), Key::new(kind, turns, &views, group, output))
     });
     let frames = FrameUniform::of_groups(scene, &views, appearance);
     let all = of_bodies.chain(last_passes(&frames[0]).map(Part::Backdrop));

@@ -23,6 +23,9 @@ use crate::view::group_view::GroupView;
 /// faster is not told from that by any table.
 pub const MOST_RAPID: f64 = 1e15;
 
+/// Samples of a share.
+const SHARE_SAMPLES: u32 = 8;
+
 /// The motion of a surface through the street's light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Facing {
@@ -88,7 +91,7 @@ impl Facing {
 
     /// The share of the light that is received with 2^`octaves` times the frequency, per octave, but for a
     /// factor, for what moves.
-    pub fn share(self, octaves: f64) -> f64 {
+    fn share(self, octaves: f64) -> f64 {
         let Self { rapid, ahead } = self;
         let gamma = hypot(rapid, 1.0);
         let beta = rapid / gamma;
@@ -96,6 +99,25 @@ impl Facing {
         let slowed = exp2(-octaves) / gamma;
         let aside = (slowed - 1.0 / (gamma * gamma * (1.0 + beta))) / beta;
         if (0.0..=2.0).contains(&aside) { slowed * seen_share(ahead, aside) } else { 0.0 }
+    }
+
+    /// Returns the shares of the light within each of `count` places, `per_octave` to an octave, the first of
+    /// them around 2^`first` times the frequency: they add up to 1.
+    pub fn shares(self, first: f64, per_octave: f64, count: usize) -> Vec<f64> {
+        let mut shares = vec![0.0; count];
+        if self.rapid == 0.0 {
+            shares[(-first * per_octave).round() as usize] = 1.0;
+            return shares;
+        }
+        let offs = || (0..SHARE_SAMPLES).map(|sample| (f64::from(sample) + 0.5) / f64::from(SHARE_SAMPLES) - 0.5);
+        for (place, share) in shares.iter_mut().enumerate() {
+            *share = offs().map(|off| self.share(first + (place as f64 + off) / per_octave)).sum();
+        }
+        let sum: f64 = shares.iter().sum();
+        for share in &mut shares {
+            *share /= sum;
+        }
+        shares
     }
 }
 

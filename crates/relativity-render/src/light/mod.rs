@@ -3,6 +3,7 @@
 
 pub(crate) mod daylight;
 pub mod exposure;
+pub(crate) mod falling;
 pub(crate) mod hatch;
 pub(crate) mod palette;
 pub mod received;

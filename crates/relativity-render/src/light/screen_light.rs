@@ -7,6 +7,7 @@ use relativity_core::doppler::intensity_factor;
 use relativity_core::math::{exp2, log2};
 
 use super::daylight::Facing;
+use super::falling::FallingDaylight;
 use super::palette::Row;
 use super::sky::{self, Reflected};
 use super::tone::toned;
@@ -65,13 +66,17 @@ impl Light {
         }
     }
 
-    /// Returns the radiance per wavelength at `nm` where the light leaves: daylight times the reflectance of
-    /// the paint, or that of a black body, each in units of its own. `None` of light without a spectrum.
+    /// Returns the radiance per wavelength at `nm` where the light leaves: daylight, `falling` as it does or as
+    /// it does on what rests, times the reflectance of the paint, or that of a black body, each in units of
+    /// its own. `None` of light without a spectrum.
     #[must_use]
-    pub fn radiance(self, nm: f64) -> Option<f64> {
+    pub fn radiance(self, nm: f64, falling: Option<&FallingDaylight>) -> Option<f64> {
         match self {
             Self::Glow(kelvin) => Some(planck::radiance(nm, kelvin)),
-            Self::Painted(paint) => Some(daylight(nm) * reflectance(paint, nm)),
+            Self::Painted(paint) => {
+                let falling = falling.map_or_else(|| daylight(nm), |falling| falling.at(nm));
+                Some(falling * reflectance(paint, nm))
+            }
             Self::Line(_) | Self::Map => None,
         }
     }
@@ -109,7 +114,8 @@ impl Light {
 
     /// Returns colour and unseen share, on this `paint` of a model; `facing` the street's daylight, if that
     /// lights it.
-    pub(crate) fn shown_facing(
+    #[must_use]
+    pub fn shown_facing(
         self,
         appearance: &Appearance,
         doppler_factor: f64,

@@ -38,8 +38,8 @@ pub const WIDTH: usize = 3 * ENTRIES;
 
 /// The farthest that the light of a hemisphere is from its mean, entries.
 const REACH: usize = 520;
-/// Samples of the light, and of shares, within an entry.
-const SAMPLES: [i32; 2] = [4, 8];
+/// Samples of the light within an entry.
+const SAMPLES: u32 = 4;
 /// Numbers of a cell of light: three components for each of three paints, and the level of white.
 const NUMBERS: usize = 10;
 
@@ -108,10 +108,10 @@ pub fn reflected(facing: Facing, shift: f64) -> Reflected {
 fn cell(number: usize) -> [f32; NUMBERS] {
     let entry = number as f64 - REACH as f64;
     let mut sum = [0.0; NUMBERS];
-    for sample in 0..SAMPLES[0] {
-        let off = (f64::from(sample) + 0.5) / f64::from(SAMPLES[0]) - 0.5;
+    for sample in 0..SAMPLES {
+        let off = (f64::from(sample) + 0.5) / f64::from(SAMPLES) - 0.5;
         let octaves = FIRST_OCTAVE + (entry + off) / PER_OCTAVE;
-        let level = exp2(sunlit::log2_level(octaves)) / f64::from(SAMPLES[0]);
+        let level = exp2(sunlit::log2_level(octaves)) / f64::from(SAMPLES);
         let primaries: [[f64; 3]; 3] = from_fn(|primary| {
             sunlit::lit_by_shifted(from_fn(|other| f64::from(u8::from(other == primary))), octaves)
         });
@@ -127,7 +127,10 @@ fn entries(cells: &[[f32; NUMBERS]], slice: usize) -> Vec<[f32; 4]> {
     let head_on_octaves = (slice / TURNS) as f64 / SPEEDS_PER_OCTAVE;
     let facing = Facing::of(head_on_octaves, (slice % TURNS) as f64 / (TURNS - 1) as f64);
     let mut sums = vec![[0.0_f32; NUMBERS]; ENTRIES];
-    for (first, share) in shares(facing).into_iter().enumerate().filter(|(_, share)| *share > 0.0) {
+    // From `REACH` entries below the mean to as many above.
+    let first = facing.mean_octaves() - REACH as f64 / PER_OCTAVE;
+    let shares = facing.shares(first, PER_OCTAVE, 2 * REACH + 1).into_iter().map(|share| share as f32);
+    for (first, share) in shares.enumerate().filter(|(_, share)| *share > 0.0) {
         let light = cells[first..].as_flattened();
         for (sum, light) in sums.as_flattened_mut().iter_mut().zip(light) {
             *sum += share * light;
@@ -139,27 +142,6 @@ fn entries(cells: &[[f32; NUMBERS]], slice: usize) -> Vec<[f32; 4]> {
         [red, green, blue, log2(f64::from(level)) as f32]
     };
     (0..3).flat_map(|primary| sums.iter().map(move |sum| entry(sum, primary))).collect()
-}
-
-/// The shares of the light that is received with these Doppler factors beside the mean, from `REACH` entries
-/// below it to as many above: they add up to 1.
-fn shares(facing: Facing) -> [f32; 2 * REACH + 1] {
-    let mean = facing.mean_octaves();
-    let mut shares = from_fn(|number| {
-        if facing.rapid == 0.0 {
-            return if number == REACH { 1.0 } else { 0.0 };
-        }
-        let samples = (0..SAMPLES[1]).map(|sample| {
-            let off = (f64::from(sample) + 0.5) / f64::from(SAMPLES[1]) - 0.5;
-            facing.share(mean + (number as f64 - REACH as f64 + off) / PER_OCTAVE)
-        });
-        samples.sum::<f64>()
-    });
-    let sum: f64 = shares.iter().sum();
-    for share in &mut shares {
-        *share /= sum;
-    }
-    shares.map(|share| share as f32)
 }
 
 #[cfg(test)]

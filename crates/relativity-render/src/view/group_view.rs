@@ -159,6 +159,11 @@ impl GroupView {
         matches!(self.geometry, Geometry::Seen | Geometry::Contracted | Geometry::Rest)
     }
 
+    /// Whether that is so though it is not of all groups in such a view.
+    pub(crate) fn is_straight_among_bent(&self) -> bool {
+        self.has_straight_rays() && matches!(self.view_geometry, Geometry::Published | Geometry::OneCone)
+    }
+
     /// The rest-frame ray of the camera's `line_of_sight` (unit vector); of [`Geometry::OneCone`] the limit
     /// of [`Self::rest_ray_at`] at great distances.
     ///

@@ -40,8 +40,12 @@ const PATCH: f32 = 14.0;
 /// A curve of the plot, or a line of one wavelength.
 struct SpectrumTrace {
     name: String,
+    /// The name in a table.
+    column: String,
     /// Received over emitted frequency; 1 of what is emitted.
     doppler_factor: f64,
+    /// The eye for which the light leaves; `None` of what would leave at rest.
+    leaves_for: Option<Eye>,
     /// The eye that receives it; `None` of what is emitted.
     eye: Option<Eye>,
     dash: Dash,
@@ -59,7 +63,10 @@ impl SpectrumTrace {
             _ => String::new(),
         };
         if self.eye.is_none() {
-            return format!("{}{at}", self.name);
+            let falls_with = self.leaves_for.and_then(|eye| spectrum.falls_with(eye));
+            let lit = falls_with
+                .map(|factor| format!(": lit with D = {} on average", number_text::fixed(factor, 3)));
+            return format!("{}{}{at}", self.name, lit.unwrap_or_default());
         }
         let factor = number_text::fixed(self.doppler_factor, 3);
         let brighter = number_text::significant(times_as_bright(self.doppler_factor), 3);
@@ -70,21 +77,50 @@ impl SpectrumTrace {
     }
 }
 
-/// The curves: as emitted, and as each eye receives the light.
+/// The curves: as emitted, and as each eye receives the light; of a point that moves through the street's
+/// daylight also as it would be emitted at rest.
 fn traces(spectrum: &PointSpectrum) -> Vec<SpectrumTrace> {
-    let trace = |name: &str, doppler_factor, eye, dash| SpectrumTrace {
-        name: name.to_owned(),
-        doppler_factor,
-        eye,
+    let emitted = |name: String, leaves_for, dash| SpectrumTrace {
+        column: name.to_lowercase(),
+        name,
+        doppler_factor: 1.0,
+        leaves_for,
+        eye: None,
         dash,
     };
-    let dashes = |eye| if eye == Eye::Right { RIGHT_DASHES } else { Dash::Solid };
-    let received = Eye::BOTH.into_iter().filter_map(|eye| {
+    let mut traces = match spectrum.eyes_apart() {
+        [] => vec![emitted("Emitted".to_owned(), None, Dash::Solid)],
+        [eye] => vec![emitted("Emitted".to_owned(), Some(*eye), Dash::Solid)],
+        eyes => eyes
+            .iter()
+            .map(|&eye| {
+                emitted(format!("Emitted to the {}", eye.name().to_lowercase()), Some(eye), dashes(eye))
+            })
+            .collect(),
+    };
+    if traces[0].leaves_for.is_some() {
+        traces.insert(0, emitted("Emitted at rest".to_owned(), None, Dash::Dotted));
+    }
+    traces.extend(Eye::BOTH.into_iter().filter_map(|eye| {
         let factor =
             spectrum.doppler_factors[eye.index()].filter(|factor| factor.is_finite() && *factor > 0.0)?;
-        Some(trace(eye.name(), factor, Some(eye), dashes(eye)))
-    });
-    [trace("Emitted", 1.0, None, Dash::Solid)].into_iter().chain(received).collect()
+        Some(SpectrumTrace {
+            name: eye.name().to_owned(),
+            column: eye.name().to_lowercase(),
+            doppler_factor: factor,
+            leaves_for: Some(eye),
+            eye: Some(eye),
+            dash: dashes(eye),
+        })
+    }));
+    traces
+}
+
+const fn dashes(eye: Eye) -> Dash {
+    match eye {
+        Eye::Left => Dash::Solid,
+        Eye::Right => RIGHT_DASHES,
+    }
 }
 
 /// Wavelengths along the plot, nm.
@@ -125,7 +161,7 @@ pub fn show(ui: &mut Ui, state: &State) {
 /// Names a trace, with a sample of its line and the colour that the picture shows.
 fn entry(ui: &mut Ui, trace: &SpectrumTrace, spectrum: &PointSpectrum) {
     let text = trace.words(spectrum);
-    let [r, g, b] = spectrum.colour(trace.doppler_factor);
+    let [r, g, b] = spectrum.colour(trace.leaves_for, trace.doppler_factor);
     let (rect, response) = ui.allocate_exact_size(vec2(PATCH, PATCH), Sense::hover());
     ui.painter().rect_filled(rect, 2.0, Color32::from_rgb(r, g, b));
     let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
@@ -136,11 +172,15 @@ fn entry(ui: &mut Ui, trace: &SpectrumTrace, spectrum: &PointSpectrum) {
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Image, true, &name));
     response.on_hover_text(tip);
     let tip = match (trace.eye, spectrum.light) {
+        (None, Light::Painted(_)) if trace.leaves_for.is_some() => {
+            "The street's daylight as it falls on the surface, bluer from ahead and redder from behind, times \
+                the reflectance of the paint at each wavelength."
+        }
         (None, Light::Painted(_)) => "Sunlight, times the reflectance of the paint at each wavelength.",
         (None, _) => "The point's own light, as it shines at rest.",
         (Some(_), Light::Line(_)) => "λ received = λ emitted / D",
         (Some(_), _) => {
-            "The same spectrum with all wavelengths divided by D. It is D⁵ times as bright per nanometre; \
+            "The emitted spectrum with all wavelengths divided by D. It is D⁵ times as bright per nanometre; \
                 each curve is drawn as high as the others."
         }
     };
@@ -163,7 +203,8 @@ fn draw(plot: &mut PlotUi<'_>, trace: &SpectrumTrace, spectrum: &PointSpectrum, 
 
 /// The points of a curve: wavelengths, nm, and radiances over their peak.
 fn curve(trace: &SpectrumTrace, spectrum: &PointSpectrum) -> impl Iterator<Item = [f64; 2]> {
-    wavelengths().filter_map(|nm| Some([nm, spectrum.of_own_peak(trace.doppler_factor, nm)?]))
+    let value = |nm| spectrum.of_own_peak(trace.leaves_for, trace.doppler_factor, nm);
+    wavelengths().filter_map(move |nm| Some([nm, value(nm)?]))
 }
 
 /// Draws the strip of visible colours along the plot and its ends, and names the axes and the plot.
@@ -229,16 +270,12 @@ pub fn panel(state: &State) -> Panel {
     }
 }
 
-/// The spectra as a table: radiances per wavelength as multiples of the greatest that is emitted, with D⁵;
+/// The spectra as a table: radiances per wavelength as multiples of the greatest that is emitted at rest, with D⁵;
 /// of light of one wavelength, the wavelengths.
 pub fn csv(state: &State) -> String {
     let spectrum = state.spectrum(true);
     let traces = traces(&spectrum);
-    let names = traces.iter().map(|trace| match trace.eye {
-        None => "emitted",
-        Some(Eye::Left) => "left eye",
-        Some(Eye::Right) => "right eye",
-    });
+    let names = traces.iter().map(|trace| trace.column.as_str());
     if let Light::Line(nm) = spectrum.light {
         let head: Vec<String> = names.map(|name| format!("{name} / nm")).collect();
         let row: Vec<String> = traces
@@ -251,7 +288,7 @@ pub fn csv(state: &State) -> String {
     for nm in wavelengths() {
         table.push_str(&number_text::shortest(nm));
         for trace in &traces {
-            let value = spectrum.received(trace.doppler_factor, nm);
+            let value = spectrum.received(trace.leaves_for, trace.doppler_factor, nm);
             let _ = write!(table, ",{}", value.map_or_else(String::new, number_text::shortest));
         }
         table.push('\n');

@@ -2,9 +2,11 @@
 
 use relativity_core::math;
 use relativity_render::colour::srgb_level;
-use relativity_render::{Appearance, Light};
+use relativity_render::{Appearance, Facing, FallingDaylight, Light, Paint};
 
 use crate::app::state::State;
+use crate::app::state::document::Document;
+use crate::eye::Eye;
 
 /// Wavelengths among which the peak of a spectrum is looked for, nm, and the number of them.
 const SEARCHED_NM: [f64; 2] = [10.0, 1e6];
@@ -13,7 +15,7 @@ const SEARCHED: u32 = 4000;
 /// The light of a point, and its Doppler shift on the way to each eye.
 #[derive(Debug, Clone)]
 pub struct PointSpectrum {
-    /// The point's light at rest: a body that moves through the street's daylight is lit as at rest.
+    /// The point's light at rest.
     pub light: Light,
     /// Received over emitted frequency for each eye: 1 where the picture shows no shift, `None` where nothing
     /// is seen.
@@ -21,38 +23,96 @@ pub struct PointSpectrum {
     appearance: Appearance,
     /// Greatest radiance of the light at rest; `None` of light without a spectrum.
     peak: Option<f64>,
+    /// The point in the street's daylight, if it moves through that, when its light leaves for each eye.
+    lit: [Option<Lit>; 2],
+}
+
+/// What falls on a surface that moves through the street's daylight.
+#[derive(Debug, Clone)]
+struct Lit {
+    facing: Facing,
+    daylight: FallingDaylight,
+    /// Greatest radiance of what it sends.
+    peak: Option<f64>,
 }
 
 impl PointSpectrum {
     /// Returns the spectrum of `light` that is received with these factors and shown with `appearance`.
     #[must_use]
     pub fn new(light: Light, doppler_factors: [Option<f64>; 2], appearance: Appearance) -> Self {
-        let ratio = math::log2(SEARCHED_NM[1] / SEARCHED_NM[0]) / f64::from(SEARCHED);
-        let searched = (0..=SEARCHED).map(|step| SEARCHED_NM[0] * math::exp2(ratio * f64::from(step)));
-        let peak = searched.filter_map(|nm| light.radiance(nm)).reduce(f64::max).filter(|peak| *peak > 0.0);
         let shifted = |factor: f64| if appearance.doppler_shift { factor } else { 1.0 };
         let doppler_factors = doppler_factors.map(|factor| factor.map(shifted));
-        Self { light, doppler_factors, appearance, peak }
+        Self { light, doppler_factors, appearance, peak: peak(light, None), lit: [None, None] }
+    }
+
+    /// Returns the same of a point that moves so through the street's daylight when its light leaves for each
+    /// eye.
+    #[must_use]
+    pub fn lit(self, facings: [Option<Facing>; 2]) -> Self {
+        let lit = |facing: Facing| {
+            let daylight = facing.daylight();
+            Lit { facing, peak: peak(self.light, Some(&daylight)), daylight }
+        };
+        let left = facings[0].map(lit);
+        let right = if facings[1] == facings[0] { left.clone() } else { facings[1].map(lit) };
+        Self { lit: [left, right], ..self }
+    }
+
+    /// The eyes for which light leaves that differs: none of a point that is lit as at rest.
+    #[must_use]
+    pub fn eyes_apart(&self) -> &'static [Eye] {
+        match self.lit.each_ref().map(|lit| lit.as_ref().map(|lit| lit.facing)) {
+            [None, None] => &[],
+            [left, right] if left == right => &Eye::BOTH[..1],
+            _ => &Eye::BOTH,
+        }
+    }
+
+    /// Returns the Doppler factor with which the point receives the street's daylight on average, when its
+    /// light leaves for `eye`: power over photons, both relative to rest. `None` where it is lit as at rest.
+    #[must_use]
+    pub fn falls_with(&self, eye: Eye) -> Option<f64> {
+        Some(math::exp2(self.lit_for(Some(eye))?.facing.mean_octaves()))
+    }
+
+    fn lit_for(&self, eye: Option<Eye>) -> Option<&Lit> {
+        self.lit[eye?.index()].as_ref()
     }
 
     /// Returns the radiance per wavelength of light received with this Doppler factor at a wavelength, nm, as
-    /// a multiple of the peak at rest: D⁵ L(λD). `None` of light without a spectrum.
+    /// a multiple of the peak at rest: D⁵ L(λD). The light is what leaves for `eye`, or would leave at rest.
+    /// `None` of light without a spectrum.
     #[must_use]
-    pub fn received(&self, doppler_factor: f64, nm: f64) -> Option<f64> {
-        Some(self.of_own_peak(doppler_factor, nm)? * times_as_bright(doppler_factor))
+    pub fn received(&self, eye: Option<Eye>, doppler_factor: f64, nm: f64) -> Option<f64> {
+        Some(self.sent(eye, nm * doppler_factor)? / self.peak? * times_as_bright(doppler_factor))
     }
 
-    /// Returns the same as a multiple of its own peak: the spectrum at rest, D times as far to the left.
+    /// Returns the same as a multiple of its own peak: the spectrum as it leaves, D times as far to the left.
     #[must_use]
-    pub fn of_own_peak(&self, doppler_factor: f64, nm: f64) -> Option<f64> {
-        Some(self.light.radiance(nm * doppler_factor)? / self.peak?)
+    pub fn of_own_peak(&self, eye: Option<Eye>, doppler_factor: f64, nm: f64) -> Option<f64> {
+        let peak = self.lit_for(eye).map_or(self.peak, |lit| lit.peak)?;
+        Some(self.sent(eye, nm * doppler_factor)? / peak)
+    }
+
+    /// The radiance that is sent to `eye`, or would be at rest.
+    fn sent(&self, eye: Option<Eye>, nm: f64) -> Option<f64> {
+        self.light.radiance(nm, self.lit_for(eye).map(|lit| &lit.daylight))
     }
 
     /// Returns the colour that the picture shows of it, sRGB, where it faces the light.
     #[must_use]
-    pub fn colour(&self, doppler_factor: f64) -> [u8; 3] {
-        self.light.shown(&self.appearance, doppler_factor).colour.map(srgb_level)
+    pub fn colour(&self, eye: Option<Eye>, doppler_factor: f64) -> [u8; 3] {
+        let facing = self.lit_for(eye).map(|lit| lit.facing);
+        let shown = self.light.shown_facing(&self.appearance, doppler_factor, facing, Paint::WHITE);
+        shown.colour.map(srgb_level)
     }
+}
+
+/// Returns the greatest radiance of `light` where daylight is `falling` so; `None` of none.
+fn peak(light: Light, falling: Option<&FallingDaylight>) -> Option<f64> {
+    let ratio = math::log2(SEARCHED_NM[1] / SEARCHED_NM[0]) / f64::from(SEARCHED);
+    let searched = (0..=SEARCHED).map(|step| SEARCHED_NM[0] * math::exp2(ratio * f64::from(step)));
+    searched.filter_map(|nm| light.radiance(nm, falling)).reduce(f64::max).filter(|peak| *peak > 0.0)
 }
 
 /// Returns the factor between the radiances, per wavelength, that are received and emitted at the same part
@@ -67,8 +127,16 @@ impl State {
     #[must_use]
     pub fn spectrum(&self, light_window: bool) -> PointSpectrum {
         let appearance = self.appearance(light_window);
-        let light = Light::new(self.emission(self.document.points.selected()), &appearance);
-        PointSpectrum::new(light, self.moment().doppler_factors(), appearance)
+        let Document { points, prepared, scene, .. } = &self.document;
+        let point = points.selected();
+        let light = Light::new(self.emission(point), &appearance);
+        let facing = |eye| {
+            let view = self.view(eye, self.frame.picture.size);
+            prepared.facing_at(&view, &appearance, point.body_in(scene)?, point.track.point())
+        };
+        let is_lit = matches!(light, Light::Painted(_));
+        let facings = if is_lit { Eye::BOTH.map(facing) } else { [None, None] };
+        PointSpectrum::new(light, self.moment().doppler_factors(), appearance).lit(facings)
     }
 }
 
@@ -101,7 +169,7 @@ mod tests {
         for spectrum in spectra() {
             for factor in [0.3, 0.8, 1.0, 1.7, 3.2] {
                 let [emitted, received] = [1.0, factor]
-                    .map(|factor| total(&|nm| spectrum.received(factor, nm).expect("a spectrum")));
+                    .map(|factor| total(&|nm| spectrum.received(None, factor, nm).expect("a spectrum")));
                 let expected = intensity_factor(factor, 4.0);
                 assert!((received / emitted / expected - 1.0).abs() < 2e-3, "{received} {emitted} {factor}");
             }
@@ -114,8 +182,8 @@ mod tests {
         for spectrum in spectra() {
             for factor in [0.2, 0.9, 1.5, 4.0] {
                 for nm in [310.0, 550.0, 720.0, 1600.0] {
-                    let emitted = spectrum.of_own_peak(1.0, nm).expect("a spectrum");
-                    let received = spectrum.of_own_peak(factor, received_wavelength(nm, factor));
+                    let emitted = spectrum.of_own_peak(None, 1.0, nm).expect("a spectrum");
+                    let received = spectrum.of_own_peak(None, factor, received_wavelength(nm, factor));
                     assert!((received.expect("a spectrum") - emitted).abs() < 1e-9, "{nm} {factor}");
                 }
             }
@@ -125,7 +193,7 @@ mod tests {
     /// The published peak of a black body, 2.897771955e6 nm K / T, and of sunlight, 451 nm (ASTM G173-03).
     #[test]
     fn peaks_are_where_they_are_known_to_be() {
-        let at_peak = |spectrum: &PointSpectrum, nm: f64| spectrum.of_own_peak(1.0, nm).expect("a spectrum");
+        let at_peak = |spectrum: &PointSpectrum, nm: f64| spectrum.of_own_peak(None, 1.0, nm).expect("a spectrum");
         let glowing = spectrum(Emission::Glowing(2700.0));
         let peak = 2.897_771_955e6 / 2700.0;
         assert!((at_peak(&glowing, peak) - 1.0).abs() < 1e-5, "{}", at_peak(&glowing, peak));
@@ -142,6 +210,6 @@ mod tests {
         let light = Light::new(Emission::Wavelength(550.0), &appearance);
         let spectrum = PointSpectrum::new(light, [Some(2.0), None], appearance);
         assert_eq!(light, Light::Line(550.0));
-        assert_eq!((spectrum.received(2.0, 275.0), spectrum.of_own_peak(1.0, 550.0)), (None, None));
+        assert_eq!((spectrum.received(None, 2.0, 275.0), spectrum.of_own_peak(None, 1.0, 550.0)), (None, None));
     }
 }

@@ -74,11 +74,13 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Replaces all by the bodies that `shot` can show. In pictures thin ones are drawn wider, and faded.
-    pub fn refill(&mut self, shot: &Shot<'_>) {
+    /// Replaces all by the bodies that `shot` can show, in groups whose views are `meant`. In pictures thin
+    /// ones are drawn wider, and faded.
+    pub fn refill(&mut self, shot: &Shot<'_>, meant: impl Fn(&GroupView) -> bool) {
         let Shot { scene, views, appearance, .. } = *shot;
         let projections: Vec<_> = views.iter().map(FootprintMap::new).collect();
         let sizes: Vec<_> = views.iter().map(Sizes::new).collect();
+        let is_meant: Vec<_> = views.iter().map(meant).collect();
         let ball = |body: &PreparedBody| {
             if body.is_turned {
                 return *scene.ball_around(body);
@@ -87,6 +89,9 @@ impl Parts {
             Capsule::ball(solid.center(), solid.bounding_radius())
         };
         let is_seen = |body: &PreparedBody| {
+            if !is_meant[body.group] {
+                return false;
+            }
             let view = &views[body.group];
             let Capsule { from: center, radius, .. } = ball(body);
             let middle = view.along_motion_from_camera(center);

@@ -11,6 +11,7 @@ use crate::gpu::canvas::Canvas;
 use crate::gpu::device::Gpu;
 use crate::gpu::drawing::{Batches, Drawing, Shot};
 use crate::gpu::pipelines::{Pipelines, Technique};
+use crate::view::group_view::GroupView;
 use pieces::Pieces;
 pub use pieces::{Bounds, Piece};
 
@@ -49,17 +50,42 @@ impl RayRenderer {
     }
 }
 
-impl Drawing for RayRenderer {
-    fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
-        self.pieces.refill(shot, self.bounds);
+    /// As [`Drawing::load`], for the groups whose views are `meant`.
+    pub fn load_groups(
+        &mut self,
+        gpu: &Gpu,
+        vertices: &mut wgpu::Buffer,
+        shot: &Shot<'_>,
+        meant: impl Fn(&GroupView) -> bool,
+    ) {
+        self.pieces.refill(shot, self.bounds, meant);
         self.batches.refill(gpu, vertices, shot, self.pieces.runs());
     }
 
-    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
-        for batch in self.batches.iter() {
+    /// Draws the bodies that are thinner than a pixel, or all others, as [`Drawing::record`] does.
+    pub fn record_bodies(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        vertices: &wgpu::Buffer,
+        frames: &[wgpu::BindGroup],
+        are_thin: bool,
+    ) {
+        for batch in self.batches.of_bodies(are_thin) {
             self.batches.begin(pass, frames, batch);
             pass.set_vertex_buffer(0, vertices.slice(..));
             pass.draw(0..4, batch.instances.clone());
+        }
+    }
+}
+
+impl Drawing for RayRenderer {
+    fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
+        self.load_groups(gpu, vertices, shot, |_| true);
+    }
+
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
+        for are_thin in [false, true] {
+            self.record_bodies(pass, vertices, frames, are_thin);
         }
     }
 }

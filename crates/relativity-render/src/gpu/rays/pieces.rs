@@ -68,11 +68,12 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Replaces all by the pieces of `shot`. In numbers nothing is faded, so none is thin there.
-    pub fn refill(&mut self, shot: &Shot<'_>, bounds: Bounds) {
+    /// Replaces all by the pieces of `shot` in groups whose views are `meant`. In numbers nothing is faded, so
+    /// none is thin there.
+    pub fn refill(&mut self, shot: &Shot<'_>, bounds: Bounds, meant: impl Fn(&GroupView) -> bool) {
         let thin_px = if shot.appearance.is_some() { THIN_PX } else { 0.0 };
         self.lists.values_mut().for_each(Vec::clear);
-        for (number, view) in shot.views.iter().enumerate() {
+        for (number, view) in shot.views.iter().enumerate().filter(|(_, view)| meant(view)) {
             let projection = FootprintMap::new(view);
             let mut candidates = mem::take(&mut self.candidates);
             candidates.clear();
