@@ -170,7 +170,7 @@ mod tests {
         assert_eq!(drawn_by(&state, Eye::Left, Method::Packets).as_deref(), Some("packets"));
     }
 
-    /// In most rides nothing moves but the rider, and so no lamp rides along with anything; in one of them
+    /// In most rides nothing moves but the rider, and so nothing is lit otherwise than it; in one of them
     /// a cyclist is overtaken.
     #[test]
     fn the_light_of_moving_bodies_is_named_where_some_move() {
@@ -179,7 +179,7 @@ mod tests {
             ("ride-lamps", None),
             ("ride-post-office", None),
             ("ride-overtaking", Some("lit by a lamp that rides along")),
-            ("real-light", Some("lit by a lamp that rides along")),
+            ("real-light", Some("lit by the street's daylight")),
         ];
         for (name, note) in cases {
             let settings = Preset::named(name).expect("a preset").settings.clone();
