@@ -68,9 +68,15 @@ impl Block {
 
     /// Returns the distance of the block from the origin; 0 where it contains it.
     pub fn distance(&self) -> f64 {
-        let nearest = self.half_axes.iter().fold(self.center, |from_origin, axis| {
-            let along = -self.center.dot(*axis) / axis.length_squared();
-            from_origin + *axis * along.clamp(-1.0, 1.0)
+        self.distance_from(DVec3::ZERO)
+    }
+
+    /// Returns the distance of the block from a place; 0 where it contains that.
+    pub fn distance_from(&self, place: DVec3) -> f64 {
+        let center = self.center - place;
+        let nearest = self.half_axes.iter().fold(center, |from_place, axis| {
+            let along = -center.dot(*axis) / axis.length_squared();
+            from_place + *axis * along.clamp(-1.0, 1.0)
         });
         nearest.length()
     }

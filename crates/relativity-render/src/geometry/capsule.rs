@@ -50,6 +50,13 @@ impl Capsule {
         out.push(Self::ball(0.5 * (self.from + self.to), self.radius + 0.5 * length));
     }
 
+    /// Returns the distance of the capsule from a place; 0 where it contains that.
+    pub fn distance_from(&self, place: DVec3) -> f64 {
+        let (axis, to_place) = (self.to - self.from, place - self.from);
+        let along = to_place.dot(axis) / axis.length_squared().max(f64::MIN_POSITIVE);
+        (to_place.distance(axis * along.clamp(0.0, 1.0)) - self.radius).max(0.0)
+    }
+
     /// Returns both halves of the capsule.
     pub fn halves(&self) -> [Self; 2] {
         let middle = 0.5 * (self.from + self.to);

@@ -66,9 +66,9 @@ impl Light {
         }
     }
 
-    /// Returns the radiance per wavelength at `nm` where the light leaves: daylight, `falling` as it does or as
-    /// it does on what rests, times the reflectance of the paint, or that of a black body, each in units of
-    /// its own. `None` of light without a spectrum.
+    /// Returns the radiance per wavelength at `nm` where the light leaves: daylight, `falling` as it does or
+    /// as it does on what rests, times the reflectance of the paint, or that of a black body, each in units
+    /// of its own. `None` of light without a spectrum.
     #[must_use]
     pub fn radiance(self, nm: f64, falling: Option<&FallingDaylight>) -> Option<f64> {
         match self {

@@ -270,8 +270,8 @@ pub fn panel(state: &State) -> Panel {
     }
 }
 
-/// The spectra as a table: radiances per wavelength as multiples of the greatest that is emitted at rest, with D⁵;
-/// of light of one wavelength, the wavelengths.
+/// The spectra as a table: radiances per wavelength as multiples of the greatest that is emitted at rest,
+/// with D⁵; of light of one wavelength, the wavelengths.
 pub fn csv(state: &State) -> String {
     let spectrum = state.spectrum(true);
     let traces = traces(&spectrum);

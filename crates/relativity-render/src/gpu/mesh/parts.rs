@@ -2,13 +2,14 @@
 
 use std::f32::consts::TAU;
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::slice;
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use relativity_core::math::hypot;
 use relativity_core::threads::prelude::*;
 
-use super::size::Sizes;
+use super::size::{Sizes, Whereabouts};
 use super::template::Grid;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::corners::Coarseness;
@@ -17,8 +18,8 @@ use crate::gpu::drawing::{Shot, Trait};
 use crate::kinematics::spin::MaterialPoint;
 use crate::picture::footprint::FootprintMap;
 use crate::scene::prepared_body::{Joint, Placement, PreparedBody};
+use crate::scene::prepared_scene::PreparedScene;
 use crate::scene::wheel::packed::{TurningStart, Turns};
-use crate::view::Geometry;
 use crate::view::group_view::GroupView;
 
 /// Mirror of the shaders' `MeshInstance`.
@@ -81,26 +82,21 @@ impl Parts {
         let projections: Vec<_> = views.iter().map(FootprintMap::new).collect();
         let sizes: Vec<_> = views.iter().map(Sizes::new).collect();
         let is_meant: Vec<_> = views.iter().map(meant).collect();
-        let ball = |body: &PreparedBody| {
-            if body.is_turned {
-                return *scene.ball_around(body);
-            }
-            let solid = scene.solid(body.number);
-            Capsule::ball(solid.center(), solid.bounding_radius())
-        };
         let is_seen = |body: &PreparedBody| {
             if !is_meant[body.group] {
                 return false;
             }
             let view = &views[body.group];
-            let Capsule { from: center, radius, .. } = ball(body);
-            let middle = view.along_motion_from_camera(center);
             // Neither the published positions nor those of one light cone for both eyes are the camera's.
-            matches!(view.geometry, Geometry::Published | Geometry::OneCone)
-                || !projections[body.group].hides(middle, radius)
+            if !view.has_straight_rays() {
+                return !sizes[body.group].hides(&whereabouts(scene, body, view));
+            }
+            let Capsule { from: center, radius, .. } = ball_around(scene, body);
+            !projections[body.group].hides(view.along_motion_from_camera(center), radius)
         };
         let coarseness = |body: &PreparedBody| {
-            let px_per_length = sizes[body.group].px_per_length(&ball(body));
+            let whereabouts = whereabouts(scene, body, &views[body.group]);
+            let px_per_length = sizes[body.group].px_per_length(&whereabouts);
             let sizes = scene.solid(body.number).form.answers().grid_sizes();
             Coarseness::for_sizes(sizes.map(|size| size * px_per_length))
         };
@@ -143,6 +139,25 @@ impl Parts {
         let chunks = self.sorted.chunk_by(|a, b| a.common() == b.common());
         chunks.map(|run| (run[0].common(), run.iter().map(|part| &part.instance)))
     }
+}
+
+/// Returns a ball around `body`, at every angle to which it turns.
+fn ball_around(scene: &PreparedScene, body: &PreparedBody) -> Capsule {
+    if body.is_turned {
+        return *scene.ball_around(body);
+    }
+    let solid = scene.solid(body.number);
+    Capsule::ball(solid.center(), solid.bounding_radius())
+}
+
+fn whereabouts(scene: &PreparedScene, body: &PreparedBody, view: &GroupView) -> Whereabouts {
+    let ball = ball_around(scene, body);
+    let capsules = if body.is_turned { slice::from_ref(&ball) } else { scene.capsules(body) };
+    let nearest = match &body.block {
+        Some(block) if !body.is_turned => block.distance_from(view.origin),
+        _ => capsules.iter().map(|capsule| capsule.distance_from(view.origin)).fold(f64::INFINITY, f64::min),
+    };
+    Whereabouts { ball, nearest }
 }
 
 impl DrawnBody {

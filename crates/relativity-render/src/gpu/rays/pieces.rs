@@ -68,8 +68,8 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Replaces all by the pieces of `shot` in groups whose views are `meant`. In numbers nothing is faded, so
-    /// none is thin there.
+    /// Replaces all by the pieces of `shot` in groups whose views are `meant`. In numbers nothing is faded,
+    /// so none is thin there.
     pub fn refill(&mut self, shot: &Shot<'_>, bounds: Bounds, meant: impl Fn(&GroupView) -> bool) {
         let thin_px = if shot.appearance.is_some() { THIN_PX } else { 0.0 };
         self.lists.values_mut().for_each(Vec::clear);
