@@ -48,7 +48,6 @@ impl RayRenderer {
         let pipelines = Pipelines::new(technique(gpu), canvas.body_layout(gpu));
         Self { bounds, pieces: Pieces::default(), batches: Batches::new(pipelines) }
     }
-}
 
     /// As [`Drawing::load`], for the groups whose views are `meant`.
     pub fn load_groups(

@@ -9,7 +9,7 @@ mod turning;
 use std::array;
 use std::f64::consts::TAU;
 
-use fearless_simd::{Level, dispatch};
+use fearless_simd::Level;
 use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, Speed, Turning};
 
@@ -20,6 +20,7 @@ use super::wheel::spin::PacketSpin;
 use super::wheel::turning::TurningBody;
 use crate::frame::uniform::FrameUniform;
 use crate::simd::lanes::{F, LANES, Simd, SimdFrom, V2, V3};
+use crate::simd::registers::on_registers;
 use crate::{
     Appearance, Body, Camera, Gaze, Geometry, Group, GroupView, MaterialPoint, Motion, PreparedScene,
     Projection, Shape, Spin, Velocity, View,
@@ -198,7 +199,7 @@ impl Case {
 
     /// Returns what the pixels show of the body.
     fn found(&self, level: Level, pixels: &[[f32; LANES]; 2]) -> [Found; LANES] {
-        dispatch!(level, simd => found(simd, self, pixels))
+        on_registers!(level, simd => found(simd, self, pixels)).expect("wide registers")
     }
 
     /// Returns what the best registers find.
