@@ -109,7 +109,8 @@ impl Facing {
             shares[(-first * per_octave).round() as usize] = 1.0;
             return shares;
         }
-        let offs = || (0..SHARE_SAMPLES).map(|sample| (f64::from(sample) + 0.5) / f64::from(SHARE_SAMPLES) - 0.5);
+        let offs =
+            || (0..SHARE_SAMPLES).map(|sample| (f64::from(sample) + 0.5) / f64::from(SHARE_SAMPLES) - 0.5);
         for (place, share) in shares.iter_mut().enumerate() {
             *share = offs().map(|off| self.share(first + (place as f64 + off) / per_octave)).sum();
         }

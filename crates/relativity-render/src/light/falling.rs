@@ -69,11 +69,7 @@ impl FallingDaylight {
         let place = (log2(nm) - self.first) * PER_OCTAVE;
         let below = place.floor();
         let known = |place: f64| self.irradiances.get(place as usize).copied().unwrap_or_default();
-        if below >= 0.0 {
-            known(below) + (known(below + 1.0) - known(below)) * (place - below)
-        } else {
-            0.0
-        }
+        if below >= 0.0 { known(below) + (known(below + 1.0) - known(below)) * (place - below) } else { 0.0 }
     }
 }
 
@@ -147,7 +143,10 @@ mod tests {
                 let peak = falling.irradiances.iter().copied().fold(0.0, f64::max);
                 for nm in NM {
                     let (found, summed) = (falling.at(nm), summed(beta, ahead, nm));
-                    assert!((found - summed).abs() < 0.01 * peak, "{beta}, {ahead}, {nm} nm: {found} {summed}");
+                    assert!(
+                        (found - summed).abs() < 0.01 * peak,
+                        "{beta}, {ahead}, {nm} nm: {found} {summed}"
+                    );
                 }
             }
         }

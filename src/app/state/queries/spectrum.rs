@@ -193,7 +193,8 @@ mod tests {
     /// The published peak of a black body, 2.897771955e6 nm K / T, and of sunlight, 451 nm (ASTM G173-03).
     #[test]
     fn peaks_are_where_they_are_known_to_be() {
-        let at_peak = |spectrum: &PointSpectrum, nm: f64| spectrum.of_own_peak(None, 1.0, nm).expect("a spectrum");
+        let at_peak =
+            |spectrum: &PointSpectrum, nm: f64| spectrum.of_own_peak(None, 1.0, nm).expect("a spectrum");
         let glowing = spectrum(Emission::Glowing(2700.0));
         let peak = 2.897_771_955e6 / 2700.0;
         assert!((at_peak(&glowing, peak) - 1.0).abs() < 1e-5, "{}", at_peak(&glowing, peak));
@@ -210,6 +211,9 @@ mod tests {
         let light = Light::new(Emission::Wavelength(550.0), &appearance);
         let spectrum = PointSpectrum::new(light, [Some(2.0), None], appearance);
         assert_eq!(light, Light::Line(550.0));
-        assert_eq!((spectrum.received(None, 2.0, 275.0), spectrum.of_own_peak(None, 1.0, 550.0)), (None, None));
+        assert_eq!(
+            (spectrum.received(None, 2.0, 275.0), spectrum.of_own_peak(None, 1.0, 550.0)),
+            (None, None)
+        );
     }
 }

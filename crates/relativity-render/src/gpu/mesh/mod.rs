@@ -89,10 +89,8 @@ impl MeshRenderer {
     /// A renderer on `gpu`; the rays beside it look for bodies within `bounds`.
     pub fn new(gpu: &Gpu, canvas: &Canvas, bounds: Bounds) -> Self {
         let pipelines = Pipelines::new(TECHNIQUE, canvas.body_layout(gpu));
-        let beside = Beside {
-            rays: RayRenderer::new(gpu, canvas, bounds),
-            vertices: buffers::vertex_buffer(gpu, 0),
-        };
+        let beside =
+            Beside { rays: RayRenderer::new(gpu, canvas, bounds), vertices: buffers::vertex_buffer(gpu, 0) };
         Self { beside, parts: Parts::default(), templates: HashMap::new(), batches: Batches::new(pipelines) }
     }
 
