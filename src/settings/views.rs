@@ -161,7 +161,7 @@ impl Settings {
 
     /// The framing of what moves with the `scene`; of its resting picture, too, where that is outlined.
     fn framing(&self, scene: &PreparedScene, observation_time: f64) -> Option<Framing> {
-        let framing = self.outline(scene, observation_time).framing()?;
+        let framing = self.framing_of_all(scene, observation_time)?;
         let rapidity = self.velocity(Motion::Scene).rapidity();
         let slides = self.baseline().is_along_motion() && self.geometry() == Geometry::Seen;
         let is_outlined = self.window.resting && slides && rapidity.abs() <= FARTHEST_RESTING;
@@ -205,6 +205,12 @@ impl Settings {
     #[must_use]
     pub fn outline(&self, scene: &PreparedScene, observation_time: f64) -> Outline {
         scene.outline(&self.views_ahead(observation_time))
+    }
+
+    /// The framing of all that moves in the `scene`, in both eyes together.
+    #[must_use]
+    pub fn framing_of_all(&self, scene: &PreparedScene, observation_time: f64) -> Option<Framing> {
+        scene.framing(&self.views_ahead(observation_time))
     }
 
     /// The gaze at `point`: as far to the left of it in one picture as to the right in the other.

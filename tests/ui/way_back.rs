@@ -284,5 +284,5 @@ fn shifts_belong_to_their_scene() {
     assert_eq!((motion.depth_shift, motion.height_shift, look.gaze), (0.0, 0.0, GazeChoice::Whole));
     assert_eq!((motion.d, motion.roll, motion.speed.speed().beta()), (0.2, 10.0, 0.5));
     assert_eq!(picture.layout, Layout::Anaglyph);
-    assert!(window.state().state().outline().framing().is_some(), "something is in the views");
+    assert!(window.state().state().framing().is_some(), "something is in the views");
 }

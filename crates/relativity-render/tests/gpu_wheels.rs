@@ -142,7 +142,7 @@ fn wheels_before_an_oblique_ride_agree(renderers: &mut Renderers) {
         for from in From::ALL {
             let mut view = view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([160, 160]);
             view.camera.velocity = ObserverVelocity::new(own, azimuth, elevation);
-            let framing = scene.outline(&[view]).framing().expect("there is a wheel");
+            let framing = scene.framing(&[view]).expect("there is a wheel");
             view.camera.gaze = framing.gaze;
             view.camera.horizontal_fov = framing.horizontal_fov(view.camera.size);
             let truth = scene.hit_image(&view);
@@ -182,7 +182,7 @@ fn every_number_is_finite_at_the_extremes(renderers: &mut Renderers) {
             let mut view = view_of_wheel(From::Side, 0.5, Geometry::Seen, 0.0);
             (view.speed, view.observation_time, view.camera.projection) =
                 (speed, observation_time, projection);
-            let Some(framing) = scene.outline(&[view]).framing() else { continue };
+            let Some(framing) = scene.framing(&[view]) else { continue };
             view.camera.gaze = framing.gaze;
             view.camera.horizontal_fov = framing.horizontal_fov(view.camera.size);
             let reference = iter::once(scene.hit_image(&view));

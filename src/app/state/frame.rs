@@ -1,8 +1,8 @@
 //! The frame: everything that is measured, chosen and worked out once for each picture of the window.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use relativity_render::{Geometry, Outline, PreparedScene};
+use relativity_render::{Framing, Geometry, Outline, PreparedScene};
 
 use crate::accuracy::Choice;
 use crate::app::state::document::Document;
@@ -39,6 +39,8 @@ pub(in crate::app) struct Looked {
     canvas: Canvas,
     pub(in crate::app) look: LookSettings,
     pub(in crate::app) outline: Arc<Outline>,
+    /// The framing of all that moves, once it was asked for.
+    framing: OnceLock<Option<Framing>>,
 }
 
 impl Looked {
@@ -47,7 +49,22 @@ impl Looked {
         let subject = Subject { scene: &prepared, tracked };
         let look = settings.shown_look(subject, document.time, canvas);
         let outline = Arc::new(settings.outline(&prepared, document.time));
-        Self { settings: settings.clone(), prepared, time: document.time, tracked, canvas, look, outline }
+        let framing = OnceLock::new();
+        Self {
+            settings: settings.clone(),
+            prepared,
+            time: document.time,
+            tracked,
+            canvas,
+            look,
+            outline,
+            framing,
+        }
+    }
+
+    /// The framing of all that moves, in both eyes together.
+    pub(in crate::app) fn framing(&self) -> Option<Framing> {
+        *self.framing.get_or_init(|| self.settings.framing_of_all(&self.prepared, self.time))
     }
 
     pub(in crate::app) fn is_of(&self, document: &Document, canvas: Canvas) -> bool {

@@ -118,8 +118,10 @@ impl State {
     }
 
     fn subject_arrow(&self, camera: &Camera) -> Option<OffscreenArrow> {
-        let outline = self.outline();
-        let framing = outline.framing().filter(|_| outline.is_out_of(camera))?;
+        if !self.outline().is_out_of(camera) {
+            return None;
+        }
+        let framing = self.framing()?;
         let first = self.document.prepared.subject().next()?.bodies.start;
         let group = self.document.prepared.group_of(first);
         let name = self.document.scene.name_of_group(group)?.to_owned();

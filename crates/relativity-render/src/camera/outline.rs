@@ -34,7 +34,6 @@ pub struct Outline {
     pub(crate) balls: Vec<Ball>,
     /// Whether an aperture is inside one of these, or as good as inside.
     pub(crate) surrounds: bool,
-    pub(crate) framing: Option<Framing>,
 }
 
 /// The gaze that has an outline in the middle of the picture, both ways.
@@ -93,14 +92,6 @@ pub(crate) struct Ball {
 }
 
 impl Outline {
-    /// Returns the framing that holds all of the outline, in the projection of its views; `None` where there
-    /// is nothing. Pictures parallel to a baseline have no image shift in it: [`Framing::shifted`] gives them
-    /// one.
-    #[must_use]
-    pub const fn framing(&self) -> Option<Framing> {
-        self.framing
-    }
-
     /// Whether nothing of it is in the picture of a `camera` at its apertures, taking each body for the ball
     /// around it.
     #[must_use]

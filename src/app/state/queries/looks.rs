@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use relativity_render::Outline;
+use relativity_render::{Framing, Outline};
 
 use crate::app::state::State;
 use crate::app::state::document::Document;
@@ -48,6 +48,14 @@ impl State {
         let known = self.frame.looked(&self.document).map(|looked| Arc::clone(&looked.outline));
         let Document { settings, prepared, time, .. } = &self.document;
         known.unwrap_or_else(|| Arc::new(settings.outline(prepared, *time)))
+    }
+
+    /// The framing of all that moves, in both eyes together; `None` where nothing is.
+    #[must_use]
+    pub fn framing(&self) -> Option<Framing> {
+        let Document { settings, prepared, time, .. } = &self.document;
+        let known = self.frame.looked(&self.document).map(Looked::framing);
+        known.unwrap_or_else(|| settings.framing_of_all(prepared, *time))
     }
 
     /// The settings of the second of two pictures of one eye; `None` where there is no second.

@@ -42,7 +42,29 @@ impl PreparedScene {
     /// fields.
     #[must_use]
     pub fn outline(&self, views: &[View]) -> Outline {
-        outline(self, views)
+        let sights = sights(self, views);
+        let surrounds = sights.iter().flat_map(|sight| &sight.bodies).any(|body| body.ball.is_none());
+        Outline { balls: sights.iter().flat_map(GroupSight::balls).collect(), surrounds }
+    }
+
+    /// Returns the framing that holds all of its [`Self::subject`] in these `views`, in their projection;
+    /// `None` where there is nothing. Pictures parallel to a baseline have no image shift in it:
+    /// [`Framing::shifted`] gives them one. It costs much more than an outline, since it asks each body how
+    /// far it reaches.
+    #[must_use]
+    pub fn framing(&self, views: &[View]) -> Option<Framing> {
+        let sights = sights(self, views);
+        let balls = sights.iter().flat_map(GroupSight::balls);
+        let sum: DVec3 = balls.map(|ball| ball.center.normalize_or_zero()).sum();
+        // From within the balls around all bodies, such as that around a long one nearby, their middles tell
+        // where they are.
+        let middles = || sights.iter().map(GroupSight::middles).sum::<DVec3>().try_normalize();
+        let towards = sum.try_normalize().or_else(middles)?;
+        Some(match views[0].camera.projection {
+            PictureProjection::Parallel { right, .. } => framed_parallel_to(right, &sights, towards),
+            PictureProjection::Mercator { right, .. } => framed_about(right, &sights, towards),
+            PictureProjection::Gaze | PictureProjection::Vr180 { .. } => framed(&sights, towards),
+        })
     }
 }
 
@@ -95,30 +117,14 @@ impl SeenBody<'_> {
     }
 }
 
-/// The outline of `scene` in all `views` together, whatever their gazes and fields.
-fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
-    let groups = || scene.subject().collect::<Vec<_>>();
+/// The subject of `scene` as each of the `views` sees it.
+fn sights<'a>(scene: &'a PreparedScene, views: &[View]) -> Vec<GroupSight<'a>> {
+    let of_view = |eye, view: View| {
+        scene.subject().map(move |group| GroupSight::new(eye, scene, group, &view.of_group(group.motion)))
+    };
     let as_seen =
         views.iter().enumerate().flat_map(|(eye, view)| as_seen(scene, view).map(move |view| (eye, view)));
-    let sights = as_seen.flat_map(|(eye, view)| {
-        groups()
-            .into_iter()
-            .map(move |group| GroupSight::new(eye, scene, group, &view.of_group(group.motion)))
-    });
-    let sights: Vec<_> = sights.collect();
-    let balls = |sight: &GroupSight| sight.balls().collect::<Vec<_>>();
-    let balls: Vec<_> = sights.iter().flat_map(balls).collect();
-    let surrounds = sights.iter().flat_map(|sight| &sight.bodies).any(|body| body.ball.is_none());
-    let sum: DVec3 = balls.iter().map(|ball| ball.center.normalize_or_zero()).sum();
-    // From within the balls around all bodies, such as that around a long one nearby, their middles tell
-    // where they are.
-    let middles = || sights.iter().map(GroupSight::middles).sum::<DVec3>().try_normalize();
-    let framing = sum.try_normalize().or_else(middles).map(|towards| match views[0].camera.projection {
-        PictureProjection::Parallel { right, .. } => framed_parallel_to(right, &sights, towards),
-        PictureProjection::Mercator { right, .. } => framed_about(right, &sights, towards),
-        PictureProjection::Gaze | PictureProjection::Vr180 { .. } => framed(&sights, towards),
-    });
-    Outline { balls, surrounds, framing }
+    as_seen.flat_map(|(eye, view)| of_view(eye, view)).collect()
 }
 
 /// Returns the framing of everything seen in pictures parallel to the `baseline`; `towards` is somewhere in
