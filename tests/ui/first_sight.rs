@@ -148,7 +148,7 @@ fn more_controls_and_numbers_are_one_click_away_and_one_back() {
 /// Returns whether the note on the light is drawn on the left picture.
 fn note_is_shown(window: &Harness<'_, App>) -> bool {
     let left = pane(window, 0);
-    texts(window).iter().any(|(text, place)| text.contains("lamp") && left.contains(place.center()))
+    texts(window).iter().any(|(text, place)| text.contains("daylight") && left.contains(place.center()))
 }
 
 fn notes_fade_and_come_back_with_pointer_and_keyboard() {
