@@ -102,10 +102,11 @@ impl Facing {
     }
 
     /// Returns the shares of the light within each of `count` places, `per_octave` to an octave, the first of
-    /// them around 2^`first` times the frequency: they add up to 1.
+    /// them around 2^`first` times the frequency: they add up to 1. Light that is shifted by less than half a
+    /// place is not.
     pub fn shares(self, first: f64, per_octave: f64, count: usize) -> Vec<f64> {
         let mut shares = vec![0.0; count];
-        if self.rapid == 0.0 {
+        if self.head_on_octaves() * per_octave < 0.5 {
             shares[(-first * per_octave).round() as usize] = 1.0;
             return shares;
         }

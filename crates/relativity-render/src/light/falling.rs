@@ -22,8 +22,8 @@ const KNOWN_NM: [f64; 2] = [280.0, 4000.0];
 ///
 /// # Accuracy
 ///
-/// It is averaged over 1/256 of an octave. A test below holds it against a sum over directions: within 1 % of
-/// its peak, of what rests, too.
+/// It is averaged over about 1/128 of an octave, 3 nm in the middle of what eyes see. A test below holds it
+/// against a sum over directions, averaged so: within 1 % of its peak.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FallingDaylight {
     /// log2 of the first wavelength, nm.
@@ -67,9 +67,12 @@ impl FallingDaylight {
     #[must_use]
     pub fn at(&self, nm: f64) -> f64 {
         let place = (log2(nm) - self.first) * PER_OCTAVE;
-        let below = place.floor();
-        let known = |place: f64| self.irradiances.get(place as usize).copied().unwrap_or_default();
-        if below >= 0.0 { known(below) + (known(below + 1.0) - known(below)) * (place - below) } else { 0.0 }
+        let last = (self.irradiances.len() - 1) as f64;
+        if !(0.0..last).contains(&place) {
+            return 0.0;
+        }
+        let [low, high] = [0, 1].map(|next| self.irradiances[place as usize + next]);
+        low + (high - low) * place.fract()
     }
 }
 
@@ -115,7 +118,7 @@ mod tests {
 
     /// The same as a sum over the directions from which light comes, in the frame of the surface.
     fn summed(beta: f64, ahead: f64, nm: f64) -> f64 {
-        const STEPS: [u32; 2] = [1500, 24];
+        const STEPS: [u32; 2] = [3000, 16];
         let gamma = 1.0 / (1.0_f64 - beta * beta).sqrt();
         let normal = DVec3::new(ahead, (1.0_f64 - ahead * ahead).sqrt(), 0.0);
         let (mut sum, mut weights) = (0.0, 0.0);
@@ -136,13 +139,15 @@ mod tests {
 
     #[test]
     fn the_spectrum_is_a_sum_over_directions() {
-        for beta in [0.01, 0.3, 0.6, 0.9] {
+        for beta in [0.01, 0.6, 0.9] {
             let gamma = 1.0 / (1.0_f64 - beta * beta).sqrt();
             for ahead in [-1.0, -0.4, 0.0, 0.7, 1.0] {
                 let falling = Facing { rapid: gamma * beta, ahead }.daylight();
                 let peak = falling.irradiances.iter().copied().fold(0.0, f64::max);
                 for nm in NM {
-                    let (found, summed) = (falling.at(nm), summed(beta, ahead, nm));
+                    let offs = (0..4).map(|sample| (f64::from(sample) + 0.5) / 4.0 - 0.5);
+                    let around = offs.map(|off| summed(beta, ahead, nm * exp2(off / 128.0)));
+                    let (found, summed) = (falling.at(nm), around.sum::<f64>() / 4.0);
                     assert!(
                         (found - summed).abs() < 0.01 * peak,
                         "{beta}, {ahead}, {nm} nm: {found} {summed}"
