@@ -38,7 +38,7 @@ pub struct Facing {
 impl Facing {
     /// Takes the surface at `place` with `rest_normal`, which may turn about `spin`, in the frame of the
     /// group of `view`.
-    pub fn new(view: &GroupView, spin: Option<&Spin>, place: DVec3, rest_normal: DVec3) -> Self {
+    pub(crate) fn new(view: &GroupView, spin: Option<&Spin>, place: DVec3, rest_normal: DVec3) -> Self {
         let (on_ground, normal) = (view.on_ground, view.on_ground.reflected(rest_normal));
         let speed = on_ground.speed;
         let own = spin.map_or(DVec3::ZERO, |spin| {
@@ -57,14 +57,14 @@ impl Facing {
 
     /// Returns the motion with 2^`head_on_octaves` for the Doppler factor of light from ahead, of a surface
     /// whose normal has this [`turn`](Self::turn).
-    pub fn of(head_on_octaves: f64, turn: f64) -> Self {
+    pub(crate) fn of(head_on_octaves: f64, turn: f64) -> Self {
         let rapid = sinh_of_octaves(head_on_octaves);
         let time = sinh_of_octaves(-cos(PI * turn) * head_on_octaves);
         Self { rapid, ahead: if rapid > 0.0 { (time / rapid).clamp(-1.0, 1.0) } else { -cos(PI * turn) } }
     }
 
     /// log2 of the Doppler factor of the street's light from straight ahead.
-    pub fn head_on_octaves(self) -> f64 {
+    pub(crate) fn head_on_octaves(self) -> f64 {
         octaves_of_sinh(self.rapid)
     }
 
@@ -73,7 +73,7 @@ impl Facing {
     /// In the frame of the street the normal is a four-vector, whose rapidity lies between those of the
     /// motion and against it: its share is minus the cosine of pi times this. So the cone into which light
     /// crowds ahead has as many turns at any speed, and the edge of the hemisphere moves evenly with them.
-    pub fn turn(self) -> f64 {
+    pub(crate) fn turn(self) -> f64 {
         let [of_normal, of_motion] = [self.rapid * self.ahead, self.rapid].map(octaves_of_sinh);
         let share = (of_normal / of_motion.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0);
         atan2((1.0 - share * share).sqrt(), -share) / PI
@@ -82,6 +82,7 @@ impl Facing {
     /// log2 of the mean Doppler factor of the photons that it receives, of light that is none the brighter
     /// for it: power over photons. In the frame of the street its hemisphere is a cap of the sky, over which
     /// both are polynomials.
+    #[must_use]
     pub fn mean_octaves(self) -> f64 {
         let (gamma, time) = (hypot(self.rapid, 1.0), self.rapid * self.ahead);
         let length = hypot(time, 1.0);
@@ -104,7 +105,7 @@ impl Facing {
     /// Returns the shares of the light within each of `count` places, `per_octave` to an octave, the first of
     /// them around 2^`first` times the frequency: they add up to 1. Light that is shifted by less than half a
     /// place is not.
-    pub fn shares(self, first: f64, per_octave: f64, count: usize) -> Vec<f64> {
+    pub(crate) fn shares(self, first: f64, per_octave: f64, count: usize) -> Vec<f64> {
         let mut shares = vec![0.0; count];
         if self.head_on_octaves() * per_octave < 0.5 {
             shares[(-first * per_octave).round() as usize] = 1.0;
