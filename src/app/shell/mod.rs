@@ -80,7 +80,7 @@ pub struct App {
     system_fonts: Arc<SystemFonts>,
     /// Pictures in the projector's window, once there was one.
     projected: Option<EyePictures>,
-    /// How the eyes look in them.
+    /// The looks of the eyes in the projector's window: its pictures have a size of their own.
     projected_looks: [Option<Looked>; 2],
     /// On which screen the projector's window is.
     screen: Screen,

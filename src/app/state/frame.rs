@@ -39,7 +39,8 @@ pub(in crate::app) struct Looked {
     canvas: Canvas,
     pub(in crate::app) look: LookSettings,
     pub(in crate::app) outline: Arc<Outline>,
-    /// The framing of all that moves, once it was asked for.
+    /// The framing of all that moves. It costs much in a scene of thousands of bodies, and is seldom needed:
+    /// so it is empty until it is asked for.
     framing: OnceLock<Option<Framing>>,
 }
 

@@ -157,7 +157,8 @@ mod tests {
         }
     }
 
-    /// All of it, and all in the visible: what is averaged moves no light.
+    /// The power of daylight in three bands of wavelengths: averaging the spectrum moves none of it to
+    /// another band.
     #[test]
     fn what_rests_is_lit_by_daylight_as_it_is() {
         let falling = Facing { rapid: 0.0, ahead: 0.3 }.daylight();

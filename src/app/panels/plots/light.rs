@@ -40,8 +40,6 @@ const PATCH: f32 = 14.0;
 /// A curve of the plot, or a line of one wavelength.
 struct SpectrumTrace {
     name: String,
-    /// The name in a table.
-    column: String,
     /// Received over emitted frequency; 1 of what is emitted.
     doppler_factor: f64,
     /// The eye for which the light leaves; `None` of what would leave at rest.
@@ -81,7 +79,6 @@ impl SpectrumTrace {
 /// daylight also as it would be emitted at rest.
 fn traces(spectrum: &PointSpectrum) -> Vec<SpectrumTrace> {
     let emitted = |name: String, leaves_for, dash| SpectrumTrace {
-        column: name.to_lowercase(),
         name,
         doppler_factor: 1.0,
         leaves_for,
@@ -106,7 +103,6 @@ fn traces(spectrum: &PointSpectrum) -> Vec<SpectrumTrace> {
             spectrum.doppler_factors[eye.index()].filter(|factor| factor.is_finite() && *factor > 0.0)?;
         Some(SpectrumTrace {
             name: eye.name().to_owned(),
-            column: eye.name().to_lowercase(),
             doppler_factor: factor,
             leaves_for: Some(eye),
             eye: Some(eye),
@@ -275,7 +271,7 @@ pub fn panel(state: &State) -> Panel {
 pub fn csv(state: &State) -> String {
     let spectrum = state.spectrum(true);
     let traces = traces(&spectrum);
-    let names = traces.iter().map(|trace| trace.column.as_str());
+    let names = traces.iter().map(|trace| trace.name.to_lowercase());
     if let Light::Line(nm) = spectrum.light {
         let head: Vec<String> = names.map(|name| format!("{name} / nm")).collect();
         let row: Vec<String> = traces

@@ -27,7 +27,7 @@ pub struct PointSpectrum {
     lit: [Option<Lit>; 2],
 }
 
-/// What falls on a surface that moves through the street's daylight.
+/// The street's daylight on the surface at a point that moves through it.
 #[derive(Debug, Clone)]
 struct Lit {
     facing: Facing,

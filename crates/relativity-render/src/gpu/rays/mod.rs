@@ -49,7 +49,8 @@ impl RayRenderer {
         Self { bounds, pieces: Pieces::default(), batches: Batches::new(pipelines) }
     }
 
-    /// As [`Drawing::load`], for the groups whose views are `meant`.
+    /// Puts the bodies of the groups whose views are `meant` into the vertex buffer, and makes the pipelines
+    /// that they need, as [`Drawing::load`] does for all groups.
     pub fn load_groups(
         &mut self,
         gpu: &Gpu,
