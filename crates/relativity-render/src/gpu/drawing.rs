@@ -39,7 +39,20 @@ pub trait Drawing {
     fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>);
 
     /// Draws what was loaded, with a bind group for the frame of each group.
-    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]);
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
+        for are_thin in [false, true] {
+            self.record_bodies(pass, vertices, frames, are_thin);
+        }
+    }
+
+    /// Draws, of what was loaded, the bodies that are thinner than a pixel, or all others.
+    fn record_bodies(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        vertices: &wgpu::Buffer,
+        frames: &[wgpu::BindGroup],
+        are_thin: bool,
+    );
 }
 
 /// Instances `I`, in the order they are drawn in: neighbours that one draw serves make a batch. Kept from

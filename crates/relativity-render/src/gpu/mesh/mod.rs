@@ -93,24 +93,6 @@ impl MeshRenderer {
             Beside { rays: RayRenderer::new(gpu, canvas, bounds), vertices: buffers::vertex_buffer(gpu, 0) };
         Self { beside, parts: Parts::default(), templates: HashMap::new(), batches: Batches::new(pipelines) }
     }
-
-    /// Draws the bodies that are thinner than a pixel, or all others, as [`Drawing::record`] does.
-    fn record_bodies(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        vertices: &wgpu::Buffer,
-        frames: &[wgpu::BindGroup],
-        are_thin: bool,
-    ) {
-        for batch in self.batches.of_bodies(are_thin) {
-            let template = &self.templates[&batch.template];
-            self.batches.begin(pass, frames, batch);
-            pass.set_vertex_buffer(0, template.corners.slice(..));
-            pass.set_vertex_buffer(1, vertices.slice(..));
-            pass.set_index_buffer(template.triangles.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..template.count, 0, batch.instances.clone());
-        }
-    }
 }
 
 impl Drawing for MeshRenderer {
@@ -131,11 +113,22 @@ impl Drawing for MeshRenderer {
         }
     }
 
-    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
-        for are_thin in [false, true] {
-            self.record_bodies(pass, vertices, frames, are_thin);
-            self.beside.rays.record_bodies(pass, &self.beside.vertices, frames, are_thin);
+    fn record_bodies(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        vertices: &wgpu::Buffer,
+        frames: &[wgpu::BindGroup],
+        are_thin: bool,
+    ) {
+        for batch in self.batches.of_bodies(are_thin) {
+            let template = &self.templates[&batch.template];
+            self.batches.begin(pass, frames, batch);
+            pass.set_vertex_buffer(0, template.corners.slice(..));
+            pass.set_vertex_buffer(1, vertices.slice(..));
+            pass.set_index_buffer(template.triangles.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..template.count, 0, batch.instances.clone());
         }
+        self.beside.rays.record_bodies(pass, &self.beside.vertices, frames, are_thin);
     }
 }
 

@@ -61,9 +61,14 @@ impl RayRenderer {
         self.pieces.refill(shot, self.bounds, meant);
         self.batches.refill(gpu, vertices, shot, self.pieces.runs());
     }
+}
 
-    /// Draws the bodies that are thinner than a pixel, or all others, as [`Drawing::record`] does.
-    pub fn record_bodies(
+impl Drawing for RayRenderer {
+    fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
+        self.load_groups(gpu, vertices, shot, |_| true);
+    }
+
+    fn record_bodies(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         vertices: &wgpu::Buffer,
@@ -74,18 +79,6 @@ impl RayRenderer {
             self.batches.begin(pass, frames, batch);
             pass.set_vertex_buffer(0, vertices.slice(..));
             pass.draw(0..4, batch.instances.clone());
-        }
-    }
-}
-
-impl Drawing for RayRenderer {
-    fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
-        self.load_groups(gpu, vertices, shot, |_| true);
-    }
-
-    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
-        for are_thin in [false, true] {
-            self.record_bodies(pass, vertices, frames, are_thin);
         }
     }
 }
