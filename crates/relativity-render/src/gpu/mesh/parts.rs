@@ -82,30 +82,30 @@ impl Parts {
         let projections: Vec<_> = views.iter().map(FootprintMap::new).collect();
         let sizes: Vec<_> = views.iter().map(Sizes::new).collect();
         let is_meant: Vec<_> = views.iter().map(meant).collect();
-        let is_seen = |body: &PreparedBody| {
-            if !is_meant[body.group] {
-                return false;
-            }
+        let is_hidden = |body: &PreparedBody, ball: &Capsule| {
             let view = &views[body.group];
             // Neither the published positions nor those of one light cone for both eyes are the camera's.
             if !view.has_straight_rays() {
-                return !sizes[body.group].hides(&whereabouts(scene, body, view));
+                return sizes[body.group].hides(ball);
             }
-            let Capsule { from: center, radius, .. } = ball_around(scene, body);
-            !projections[body.group].hides(view.along_motion_from_camera(center), radius)
+            projections[body.group].hides(view.along_motion_from_camera(ball.from), ball.radius)
         };
-        let coarseness = |body: &PreparedBody| {
-            let whereabouts = whereabouts(scene, body, &views[body.group]);
+        let coarseness = |body: &PreparedBody, ball: Capsule| {
+            let whereabouts = whereabouts(scene, body, &views[body.group], ball);
             let px_per_length = sizes[body.group].px_per_length(&whereabouts);
             let sizes = scene.solid(body.number).form.answers().grid_sizes();
             Coarseness::for_sizes(sizes.map(|size| size * px_per_length))
         };
         let part = |body: &PreparedBody| {
+            let ball = is_meant[body.group].then(|| ball_around(scene, body))?;
+            if is_hidden(body, &ball) {
+                return None;
+            }
             let view = &views[body.group];
             // What numbers show is drawn as wide as it is.
             let half_width = appearance.map(|_| half_width(body, scene.solid(body.number), view));
-            DrawnBody {
-                grid: Grid::of(body, || coarseness(body)),
+            Some(DrawnBody {
+                grid: Grid::of(body, || coarseness(body, ball)),
                 instance: MeshInstance::new(body, half_width.unwrap_or_default(), shot),
                 group: body.group,
                 joint: body.joint,
@@ -116,13 +116,9 @@ impl Parts {
                     }),
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
-            }
+            })
         };
-        scene
-            .bodies()
-            .par_iter()
-            .map(|body| is_seen(body).then(|| part(body)))
-            .collect_into_vec(&mut self.found);
+        scene.bodies().par_iter().map(part).collect_into_vec(&mut self.found);
         self.sorted.clear();
         let camera = &views[0].camera;
         let half_height =
@@ -150,8 +146,8 @@ fn ball_around(scene: &PreparedScene, body: &PreparedBody) -> Capsule {
     Capsule::ball(solid.center(), solid.bounding_radius())
 }
 
-fn whereabouts(scene: &PreparedScene, body: &PreparedBody, view: &GroupView) -> Whereabouts {
-    let ball = ball_around(scene, body);
+/// Returns where `body` is, which is inside `ball`.
+fn whereabouts(scene: &PreparedScene, body: &PreparedBody, view: &GroupView, ball: Capsule) -> Whereabouts {
     let capsules = if body.is_turned { slice::from_ref(&ball) } else { scene.capsules(body) };
     let nearest = match &body.block {
         Some(block) if !body.is_turned => block.distance_from(view.origin),

@@ -78,9 +78,9 @@ impl<'a> Sizes<'a> {
         Self { view, px_per_radian: camera.focal_length_px() * stretch, is_conformal, axes, outwards, shifts }
     }
 
-    /// Whether the body is surely not in the picture, however near it is drawn a pixel wide.
-    pub fn hides(&self, body: &Whereabouts) -> bool {
-        let Some(Appearance { middle, reach, .. }) = self.appearance(&body.ball) else { return false };
+    /// Whether what is inside `ball` is surely not in the picture, however near it is drawn a pixel wide.
+    pub fn hides(&self, ball: &Capsule) -> bool {
+        let Some(Appearance { middle, reach, .. }) = self.appearance(ball) else { return false };
         let pixel = (middle.length() + reach) / self.view.camera.focal_length_px();
         !self.is_conformal && self.outwards.iter().any(|outwards| middle.dot(*outwards) > reach + pixel)
     }
