@@ -236,21 +236,47 @@ impl Triangles {
     /// the first, unless there are holes.
     fn pieces(&self) -> impl Iterator<Item = BodyPart> {
         let has_holes = self.textures.iter().any(|texture| texture.cutoff > 0);
-        let mut known = HashSet::with_capacity(self.faces.len());
+        let mut is_repeated = self.repeated();
         (0..self.faces.len() as u32).filter_map(move |triangle| {
             let [a, b, c] = self.corners_of(triangle);
             let corners = [a.min(b).min(c), a.max(b).max(c)];
             let has_area = (b - a).cross(c - a) != DVec3::ZERO;
-            let mut face = self.faces[triangle as usize];
-            if self.is_two_sided {
-                face.sort_unstable();
-            }
-            (has_area && (has_holes || known.insert(face))).then_some(BodyPart {
+            (has_area && (has_holes || !is_repeated(triangle))).then_some(BodyPart {
                 body: triangle,
                 is_one_of_some: false,
                 corners,
             })
         })
+    }
+
+    /// Whether an earlier triangle has the same corners, if triangles are asked about in order.
+    fn repeated(&self) -> impl FnMut(u32) -> bool {
+        let face = |triangle: u32| {
+            let mut face = self.faces[triangle as usize];
+            if self.is_two_sided {
+                face.sort_unstable();
+            }
+            face
+        };
+        // A set that no file can make slow is dear: only triangles that share a slot of a table are put into
+        // it. Each has eight, of which one in nine is shared by chance.
+        let slots = (8 * self.faces.len()).next_power_of_two();
+        let slot = move |[a, b, c]: [u32; 3]| {
+            let mixed = [a, b, c].into_iter().fold(0_u64, |mixed, corner| {
+                (mixed ^ u64::from(corner)).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29)
+            });
+            mixed as usize & (slots - 1)
+        };
+        let mut shared = vec![0_u8; slots];
+        for triangle in 0..self.faces.len() as u32 {
+            let count = &mut shared[slot(face(triangle))];
+            *count = count.saturating_add(1);
+        }
+        let mut known = HashSet::new();
+        move |triangle| {
+            let face = face(triangle);
+            shared[slot(face)] > 1 && !known.insert(face)
+        }
     }
 
     /// FNV-1a over words of four bytes.
