@@ -1,36 +1,18 @@
 //! The columns of many observations at once, on all threads.
 
 use gamow_platform::threads::prelude::*;
-use relativity_core::batch::{DisparityColumns, Threads, disparities_over_time};
-use relativity_core::{Model, Source, StereoError};
+pub use relativity_core::batch::Column;
+use relativity_core::batch::{DisparityColumns, ObservationColumns, Speeds, Threads, disparities};
+use relativity_core::{Model, StereoError};
 use thiserror::Error;
 
 use super::header::{Header, InputError};
 use super::model::ModelArgs;
 use super::observation::{GivenInputs, Observation};
+use crate::flags::SpeedParameter;
 
 /// Number of observations that a task fills.
 const CHUNK: usize = 4096;
-
-/// An input of a batch.
-#[derive(Debug, Clone, Copy)]
-pub enum Input<'a> {
-    /// A number that all rows share.
-    Same(f64),
-    /// A number for each row.
-    Each(&'a [f64]),
-}
-
-impl Input<'_> {
-    /// The number of a row.
-    #[must_use]
-    pub fn at(self, row: usize) -> f64 {
-        match self {
-            Self::Same(value) => value,
-            Self::Each(values) => values[row],
-        }
-    }
-}
 
 /// The columns to fill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +31,7 @@ pub struct Batch<'a> {
     /// Names of the inputs.
     pub header: &'a Header,
     /// The inputs in the order of the names, each of one length.
-    pub inputs: &'a [Input<'a>],
+    pub inputs: &'a [Column<'a, f64>],
     /// Number of observations, a row each.
     pub rows: usize,
 }
@@ -114,7 +96,7 @@ impl Batch<'_> {
         let mut out = out;
         if wanted == WantedColumns::Disparity
             && let [dphi, dtheta] = out.as_mut_slice()
-            && self.is_filled_over_time(model, DisparityColumns { dphi, dtheta })
+            && self.is_filled_at_once(model, DisparityColumns { dphi, dtheta })
         {
             return Ok(());
         }
@@ -154,25 +136,30 @@ impl Batch<'_> {
         self.header.observation_with(|place| self.inputs[place].at(row))
     }
 
-    /// Fills the disparities by the batch form of the core where nothing but T differs between the
-    /// observations; false where there is none, or where a row is out of range.
-    fn is_filled_over_time(&self, model: &ModelArgs, out: DisparityColumns<'_, f64>) -> bool {
+    /// Fills the disparities by the batch form of the core; false where there is none, or where a row is out
+    /// of range.
+    fn is_filled_at_once(&self, model: &ModelArgs, out: DisparityColumns<'_, f64>) -> bool {
         let given = self.header.given();
-        let time = self.header.time_place();
-        let Input::Each(times) = self.inputs[time] else { return false };
-        let is_same = |(place, input): (usize, &Input<'_>)| place == time || matches!(input, Input::Same(_));
-        let is_plain = model.model == Model::Exact && !given.on_wheel && !given.is_riding && self.rows > 0;
-        if !is_plain || !self.inputs.iter().enumerate().all(is_same) {
+        if model.model != Model::Exact || given.on_wheel || given.is_riding || self.rows == 0 {
             return false;
         }
-        let Ok(observation) = self.observation(0) else { return false };
-        let Source::Point(point) = observation.source else { return false };
-        if model.disparity(&observation).is_err() {
+        let places = self.header.places();
+        let is_same = |place: usize| places.contains(&Some(place)) || self.inputs[place].each().is_none();
+        let Ok(first) = self.observation(0) else { return false };
+        if !(0..self.inputs.len()).all(is_same) || model.disparity(&first).is_err() {
             return false;
         }
-        let pair = observation.baseline.apertures();
+        let [speed, x0, y, z, times] =
+            places.map(|place| place.map_or(Column::Same(0.0), |place| self.inputs[place]));
+        let speeds = match (speed.each(), self.header.speed_parameter()) {
+            (None, _) => Speeds::Same(first.speed),
+            (Some(betas), SpeedParameter::Beta) => Speeds::Betas(betas),
+            (Some(_), _) => return false,
+        };
+        let apertures = first.baseline.apertures();
+        let observations = ObservationColumns { speeds, x0, y, z, times, apertures };
         let threads = if self.rows > CHUNK { Threads::All } else { Threads::One };
-        disparities_over_time(&observation.speed, point, pair, times, out, threads).is_ok()
+        disparities(&observations, out, threads).is_ok()
     }
 }
 
@@ -192,7 +179,7 @@ mod tests {
 
     fn disparities(
         header: &Header,
-        inputs: &[Input<'_>],
+        inputs: &[Column<'_, f64>],
         rows: usize,
     ) -> Result<[Vec<f64>; 2], BatchRowError> {
         let (mut dphi, mut dtheta) = (vec![0.0; rows], vec![0.0; rows]);
@@ -201,24 +188,34 @@ mod tests {
         Ok([dphi, dtheta])
     }
 
-    /// The batch form of the core, and one observation after the other, which a column of equal numbers leads
+    /// The batch form of the core, and one observation after the other, which a column of equal tilts leads
     /// to.
     #[test]
     fn both_ways_to_fill_have_the_same_bits() {
         let header = header(&["beta", "d", "y", "z", "T", "x0", "roll"]);
         let rows = 3 * CHUNK + 1;
         let times: Vec<f64> = (0..rows).map(|row| (row as f64 * 0.618_034).fract() * 40.0 - 20.0).collect();
-        let same = [0.9, 0.1, 3.0, 2.0, 0.0, 0.3, 0.2].map(Input::Same);
-        let column = vec![3.0; rows];
-        let mut over_time = same;
-        over_time[4] = Input::Each(&times);
-        let mut by_row = over_time;
-        by_row[2] = Input::Each(&column);
-        let [fast, slow] =
-            [over_time, by_row].map(|inputs| disparities(&header, &inputs, rows).expect("inside"));
-        assert!(fast[0].iter().any(|dphi| *dphi != fast[0][0]));
-        for (fast, slow) in fast.iter().flatten().zip(slow.iter().flatten()) {
-            assert_eq!(fast.to_bits(), slow.to_bits());
+        let same = [0.9, 0.1, 3.0, 2.0, 0.0, 0.3, 0.2].map(Column::Same);
+        let betas: Vec<f64> = (0..rows).map(|row| (row as f64 * 0.755).fract()).collect();
+        let tilts = vec![0.2; rows];
+        let changed = |columns: &[(usize, &Vec<f64>)]| {
+            let mut inputs = same;
+            for &(place, values) in columns {
+                inputs[place] = Column::Each(values.as_slice());
+            }
+            disparities(&header, &inputs, rows).expect("inside")
+        };
+        for columns in [
+            &[(4, &times)][..],
+            &[(0, &betas)],
+            &[(0, &betas), (4, &times)],
+            &[(2, &times), (3, &betas), (5, &times)],
+        ] {
+            let [fast, slow] = [changed(columns), changed(&[columns, &[(6, &tilts)]].concat())];
+            assert!(fast[0].iter().any(|dphi| *dphi != fast[0][0]));
+            for (fast, slow) in fast.iter().flatten().zip(slow.iter().flatten()) {
+                assert_eq!(fast.to_bits(), slow.to_bits());
+            }
         }
     }
 
@@ -227,8 +224,13 @@ mod tests {
         let header = header(&["T", "beta", "d", "y", "z"]);
         let mut times = vec![0.0; 3 * CHUNK];
         (times[CHUNK + 7], times[2 * CHUNK]) = (f64::NAN, 1e99);
-        let inputs =
-            [Input::Each(&times), Input::Same(0.5), Input::Same(0.1), Input::Same(1.0), Input::Same(1.0)];
+        let inputs = [
+            Column::Each(&times),
+            Column::Same(0.5),
+            Column::Same(0.1),
+            Column::Same(1.0),
+            Column::Same(1.0),
+        ];
         let error = disparities(&header, &inputs, times.len()).expect_err("two rows are bad");
         assert_eq!(error.row, CHUNK + 7);
         assert!(error.to_string().starts_with("column T: \"NaN\" is not finite"), "{error}");

@@ -159,10 +159,16 @@ impl Header {
         Ok(Observation { speed, source, baseline, observer, clock: 0.0 })
     }
 
-    /// The place of T.
+    /// The places of the speed, x0, y, z and T, of which x0 may be missing.
     #[must_use]
-    pub const fn time_place(&self) -> usize {
-        self.time
+    pub const fn places(&self) -> [Option<usize>; 5] {
+        [Some(self.speed), self.x0, Some(self.y), Some(self.z), Some(self.time)]
+    }
+
+    /// The parameter that the speed is given as.
+    #[must_use]
+    pub const fn speed_parameter(&self) -> SpeedParameter {
+        self.speed_parameter
     }
 
     /// Returns what the columns determine.

@@ -8,7 +8,7 @@ mod names;
 mod observation;
 mod observer;
 
-pub use self::batch::{Batch, BatchRowError, Input, WantedColumns};
+pub use self::batch::{Batch, BatchRowError, Column, WantedColumns};
 pub use self::error::ObservationError;
 pub use self::header::{Header, InputError};
 pub use self::model::{HELP, ModelArgs};

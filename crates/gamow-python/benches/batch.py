@@ -37,11 +37,13 @@ def rust():
 
 def python():
     found = {}
-    for name in ("disparity", "sightings"):
+    for name in ("sightings", "disparity"):
         call = getattr(gamow, name)
         out = call(**POINT, T=TIMES)
         found[name] = best(lambda: call(**POINT, T=TIMES, out=out))
         found[f"{name}, new arrays"] = best(lambda: call(**POINT, T=TIMES))
+    speeds = POINT | {"beta": np.arange(ROWS) / ROWS}
+    found["speeds"] = best(lambda: gamow.disparity(**speeds, T=TIMES, out=out))
     return found
 
 

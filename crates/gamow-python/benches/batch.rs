@@ -2,24 +2,27 @@
 //! both beside each other.
 //!
 //! `cargo bench -p gamow-python --bench batch`. Prints milliseconds of processor time on all threads, the
-//! best of several: the disparities of one point at a million times by the core, the same by the columns of
-//! the program, and everything that both eyes see. Other programs on the machine change processor time least.
+//! best of several: the disparities of one point at a million times by the core, the same at a million speeds,
+//! at one speed by the columns of the program, and everything that both eyes see. Other programs on the machine change processor time least.
 //! It is Linux that tells it; elsewhere this needs a clock of its own.
 
 use std::fs;
 use std::hint::black_box;
 
 use csv::ByteRecord;
-use gamow::columns::{Batch, Header, Input, ModelArgs, WantedColumns};
-use relativity_core::batch::{DisparityColumns, Threads, disparities_over_time};
-use relativity_core::{Aperture, Model, SourcePoint, Speed};
+use gamow::columns::{Batch, Column, Header, ModelArgs, WantedColumns};
+use relativity_core::batch::{self, DisparityColumns, ObservationColumns, Speeds, Threads};
+use relativity_core::{Aperture, Model, Speed};
 
 const ROWS: usize = 1_000_000;
 const REPETITIONS: usize = 15;
 
 fn main() {
     let times: Vec<f64> = (0..ROWS).map(|row| -20.0 + 40.0 * row as f64 / (ROWS - 1) as f64).collect();
-    println!("disparity {:.3}", best(disparities(&times)));
+    let betas: Vec<f64> = (0..ROWS).map(|row| row as f64 / ROWS as f64).collect();
+    let speed = Speed::from_beta(0.9).expect("0.9 is a speed");
+    println!("disparity {:.3}", best(disparities(Speeds::Same(speed), &times)));
+    println!("speeds {:.3}", best(disparities(Speeds::Betas(&betas), &times)));
     println!("columns {:.3}", best(columns(WantedColumns::Disparity, &times)));
     println!("sightings {:.3}", best(columns(WantedColumns::All, &times)));
 }
@@ -44,16 +47,21 @@ fn processor_ms() -> f64 {
     nanoseconds.sum::<f64>() / 1e6
 }
 
-fn disparities(times: &[f64]) -> impl FnMut() {
-    let speed = Speed::from_beta(0.9).expect("0.9 is a speed");
-    let point = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
+fn disparities(speeds: Speeds<'_, f64>, times: &[f64]) -> impl FnMut() {
     let [mut dphi, mut dtheta] = [(); 2].map(|()| vec![0.0; ROWS]);
     move || {
         let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
         // Unknown to the compiler, as they are to the program: it would work out beforehand what constants
         // decide.
-        let (speed, point, pair) = black_box((&speed, point, Aperture::pair(0.1)));
-        disparities_over_time(speed, point, pair, times, out, Threads::All).expect("inside the domain");
+        let observations = black_box(ObservationColumns {
+            speeds,
+            x0: Column::Same(0.0),
+            y: Column::Same(3.0),
+            z: Column::Same(2.0),
+            times: Column::Each(times),
+            apertures: Aperture::pair(0.1),
+        });
+        batch::disparities(&observations, out, Threads::All).expect("inside the domain");
         black_box((&dphi, &dtheta));
     }
 }
@@ -65,8 +73,8 @@ fn columns(wanted: WantedColumns, times: &[f64]) -> impl FnMut() {
     let columns = wanted.columns(&model, header.given()).expect("no stereo").len();
     let mut out = vec![vec![0.0; ROWS]; columns];
     move || {
-        let [beta, d, y, z] = [0.9, 0.1, 3.0, 2.0].map(Input::Same);
-        let inputs = [beta, d, y, z, Input::Each(times)];
+        let [beta, d, y, z] = [0.9, 0.1, 3.0, 2.0].map(Column::Same);
+        let inputs = [beta, d, y, z, Column::Each(times)];
         let batch = Batch { header: &header, inputs: &inputs, rows: ROWS };
         let out = out.iter_mut().map(Vec::as_mut_slice).collect();
         batch.fill(wanted, &model, out).expect("inside the domain");

@@ -1,6 +1,6 @@
 //! NumPy arrays as columns, in and out.
 
-use gamow::columns::Input;
+use gamow::columns::Column;
 use numpy::{
     PyArrayDyn, PyArrayMethods as _, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods as _,
 };
@@ -55,14 +55,14 @@ impl<'py> Columns<'py> {
     }
 
     /// The columns as inputs of a batch.
-    pub fn inputs(&self) -> PyResult<Vec<Input<'_>>> {
+    pub fn inputs(&self) -> PyResult<Vec<Column<'_, f64>>> {
         let rows = self.rows();
         let input = |array: &'_ PyReadonlyArrayDyn<'py, f64>| array.len() == 1 && rows != 1;
         let mut inputs = Vec::new();
         for array in &self.arrays {
             inputs.push(match array.get(vec![0; array.ndim()]) {
-                Some(&value) if array.len() == 1 && input(array) => Input::Same(value),
-                _ => Input::Each(array.as_slice()?),
+                Some(&value) if array.len() == 1 && input(array) => Column::Same(value),
+                _ => Column::Each(array.as_slice()?),
             });
         }
         Ok(inputs)

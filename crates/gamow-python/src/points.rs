@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use csv::ByteRecord;
-use gamow::columns::{Batch, BatchRowError, GivenInputs, Header, Input, ModelArgs, WantedColumns};
+use gamow::columns::{Batch, BatchRowError, GivenInputs, Header, ModelArgs, WantedColumns};
 use gamow::commands::curve::CurveArgs;
 use numpy::PyArray1;
 use pyo3::exceptions::PyTypeError;
@@ -167,11 +167,7 @@ fn fill_in_parts(
     let goes_on = goes_on();
     for first in (0..batch.rows).step_by(PART).take_while(|_| goes_on()) {
         let rows = PART.min(batch.rows - first);
-        let part = batch.inputs.iter().map(|input| match *input {
-            Input::Same(value) => Input::Same(value),
-            Input::Each(values) => Input::Each(&values[first..first + rows]),
-        });
-        let inputs: Vec<_> = part.collect();
+        let inputs: Vec<_> = batch.inputs.iter().map(|input| input.rows(first..first + rows)).collect();
         let out = out.iter_mut().map(|column| &mut column[first..first + rows]).collect();
         let filled = Batch { header: batch.header, inputs: &inputs, rows }.fill(wanted, model, out);
         filled.map_err(|error| BatchRowError { row: first + error.row, ..error })?;

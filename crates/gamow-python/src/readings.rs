@@ -4,7 +4,7 @@ use std::io::{Cursor, Read};
 use std::path::PathBuf;
 
 use csv::ByteRecord;
-use gamow::columns::Input;
+use gamow::columns::Column;
 use gamow::commands::fit::FitArgs;
 use gamow::estimate::FitReport;
 use gamow::files::csv_out::CsvWriter;
@@ -72,7 +72,7 @@ fn csv_of(columns: &Columns<'_>) -> PyResult<Vec<u8>> {
     let in_memory = |_| value_error("data: there is no memory for it");
     rows.write(&mut columns.names.iter().collect(), &[]).map_err(in_memory)?;
     for row in 0..columns.rows() {
-        let values: Vec<f64> = inputs.iter().map(|input: &Input<'_>| input.at(row)).collect();
+        let values: Vec<f64> = inputs.iter().map(|input: &Column<'_, f64>| input.at(row)).collect();
         if let Some(place) = values.iter().position(|value| value.is_infinite()) {
             let (place, name) = (columns.place(row), &columns.names[place]);
             return Err(value_error(format_args!("data: {place}column {name}: a number must be finite")));

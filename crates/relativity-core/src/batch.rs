@@ -1,4 +1,5 @@
-//! Sightings and disparities over slices: of many points at one time, and of one point at many times.
+//! Sightings and disparities over slices: sightings of many points at one time, disparities of observations
+//! that differ in anything.
 //!
 //! They compute the same solution as the scalar functions, in f64 or f32, on one thread or on all. Plain
 //! loops without branches, which the compiler vectorises.
@@ -7,7 +8,7 @@ use crate::aperture::Aperture;
 use crate::apparent::{LightCone, rounded};
 pub use crate::batch_error::BatchError;
 use crate::batch_error::{check_common, check_lengths, first_outside};
-use crate::cone_pair::PointPair;
+pub use crate::observation_batch::{Column, DisparityColumns, ObservationColumns, Speeds};
 pub use crate::real::Real;
 use crate::source::SourcePoint;
 use crate::speed::{Coefficients, Speed};
@@ -60,15 +61,6 @@ impl<F> SightingColumns<'_, F> {
             ],
         )
     }
-}
-
-/// Columns that disparities are written to.
-#[derive(Debug)]
-pub struct DisparityColumns<'a, F> {
-    /// Delta-phi, radians.
-    pub dphi: &'a mut [F],
-    /// Delta-theta, radians.
-    pub dtheta: &'a mut [F],
 }
 
 /// Writes the sightings of many points by `aperture` at one `observation_time`.
@@ -138,35 +130,56 @@ pub fn sightings_of_points<F: Real>(
     if is_inside { Ok(()) } else { first_outside(&[("x0", x0), ("y", y), ("z", z)]) }
 }
 
-/// Disparities of one point between two apertures at many observation `times`.
+/// Writes the disparities of `observations`, as many as `out` has rows.
 ///
 /// # Accuracy
 ///
-/// As [`crate::disparity()`], with the unit of f32 (2^-24) for f32. The point and the apertures are rounded
-/// to `F` first.
+/// As [`crate::disparity()`], with the unit of f32 (2^-24) for f32. The apertures are rounded to `F` first.
 ///
 /// # Errors
 ///
 /// Columns of unequal length; a value outside the domain.
-pub fn disparities_over_time<F: Real>(
-    speed: &Speed,
-    point: SourcePoint,
-    [primary, secondary]: [Aperture; 2],
-    times: &[F],
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::batch::{Column, DisparityColumns, ObservationColumns, Speeds, Threads};
+/// use relativity_core::{Aperture, batch};
+///
+/// // At rest the disparity is that of parallax; a second later a fast rider is past.
+/// let observations = ObservationColumns {
+///     speeds: Speeds::Betas(&[0.0, 0.9]),
+///     x0: Column::Same(0.0),
+///     y: Column::Same(3.0),
+///     z: Column::Same(0.0),
+///     times: Column::Each(&[0.0, 4.0]),
+///     apertures: Aperture::pair(0.1),
+/// };
+/// let (mut dphi, mut dtheta) = ([0.0; 2], [0.0; 2]);
+/// let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
+/// batch::disparities(&observations, out, Threads::One)?;
+/// assert!((dphi[0] + 2.0 * (0.05_f64 / 3.0).atan()).abs() < 1e-15);
+/// # Ok::<(), batch::BatchError>(())
+/// ```
+pub fn disparities<F: Real>(
+    observations: &ObservationColumns<'_, F>,
     out: DisparityColumns<'_, F>,
     threads: Threads,
 ) -> Result<(), BatchError> {
+    observations.check(out.dphi.len(), out.dtheta.len())?;
     let DisparityColumns { dphi, dtheta } = out;
-    check_lengths(times.len(), &[("dphi", dphi.len()), ("dtheta", dtheta.len())])?;
-    check_common::<F>(speed, point, &[primary, secondary], 0.0)?;
-    let pair = PointPair { coefficients: speed.coefficients(), point, primary, secondary };
     let is_inside = match threads {
-        Threads::One => F::disparities(&pair, times, dphi, dtheta),
-        Threads::All => (times.par_chunks(CHUNK), dphi.par_chunks_mut(CHUNK), dtheta.par_chunks_mut(CHUNK))
+        Threads::One => F::disparities(observations, DisparityColumns { dphi, dtheta }),
+        Threads::All => (dphi.par_chunks_mut(CHUNK), dtheta.par_chunks_mut(CHUNK))
             .into_par_iter()
-            .all(|(times, dphi, dtheta)| F::disparities(&pair, times, dphi, dtheta)),
+            .enumerate()
+            .all(|(chunk, (dphi, dtheta))| {
+                let first = chunk * CHUNK;
+                let rows = first..first + dphi.len();
+                F::disparities(&observations.rows(rows), DisparityColumns { dphi, dtheta })
+            }),
     };
-    if is_inside { Ok(()) } else { first_outside(&[("T", times)]) }
+    if is_inside { Ok(()) } else { observations.first_outside() }
 }
 
 /// A speed and an aperture in the precision of a batch.

@@ -7,7 +7,7 @@ use crate::apparent::check_inputs;
 use crate::domain::DomainError;
 use crate::real::Real;
 use crate::source::SourcePoint;
-use crate::speed::Speed;
+use crate::speed::{Speed, SpeedError};
 
 /// Why a batch was refused. The output columns are then partly written.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -34,10 +34,18 @@ pub enum BatchError {
         /// Largest magnitude allowed, [`Real::MAX_COORDINATE`].
         limit: f64,
     },
+    /// A row whose beta is not one.
+    #[error("row {index}: {error}")]
+    Speed {
+        /// Index of the row.
+        index: usize,
+        /// What is wrong with it.
+        error: SpeedError,
+    },
     /// A value common to all rows outside the domain.
     #[error(transparent)]
     Common(#[from] DomainError),
-    /// A value common to all rows too large for f32.
+    /// A value too large for f32.
     #[error(
         "{0:e} is too large for f32: at most {length:e} as a coordinate or time, at most {gamma:e} as gamma",
         length = <f32 as Real>::MAX_COORDINATE, gamma = <f32 as Real>::MAX_GAMMA

@@ -29,29 +29,6 @@ pub(crate) struct ConePair<F> {
     pub sum_s: F,
 }
 
-/// A point that two apertures see: all that does not change with time.
-#[derive(Debug)]
-pub struct PointPair<F> {
-    pub(crate) coefficients: Coefficients<F>,
-    pub(crate) point: SourcePoint,
-    pub(crate) primary: Aperture,
-    pub(crate) secondary: Aperture,
-}
-
-impl<F: Elementary> PointPair<F> {
-    /// Writes the disparities at these times; whether none of these is beyond the `limit`.
-    pub fn disparities(&self, times: &[F], limit: F, dphi: &mut [F], dtheta: &mut [F]) -> bool {
-        let Self { coefficients, point, primary, secondary } = self;
-        let mut is_inside = true;
-        for ((&time, dphi), dtheta) in times.iter().zip(dphi).zip(dtheta) {
-            is_inside &= time.abs() <= limit;
-            let cones = ConePair::new(coefficients, *point, *primary, *secondary, time);
-            (*dphi, *dtheta) = cones.wanted_angle_differences([true, true]);
-        }
-        is_inside
-    }
-}
-
 /// Both apparent X, their difference and their sum.
 struct ApparentXs<F> {
     left: F,

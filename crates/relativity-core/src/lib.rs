@@ -133,6 +133,7 @@ pub mod doppler;
 pub mod fit;
 pub mod math;
 mod model;
+mod observation_batch;
 pub mod observer;
 pub mod one_cone;
 pub mod passage;

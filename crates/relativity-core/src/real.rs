@@ -25,28 +25,21 @@ impl Real for f32 {
 
 /// The loops that are compiled here for both precisions, optimised, whatever the program that calls them is.
 mod sealed {
-    use crate::cone_pair::PointPair;
+    use crate::observation_batch::{DisparityColumns, ObservationColumns};
 
     pub trait Sealed: Sized {
-        /// Writes the disparities of a point at these times; whether all times are inside the domain.
-        fn disparities(
-            pair: &PointPair<Self>,
-            times: &[Self],
-            dphi: &mut [Self],
-            dtheta: &mut [Self],
-        ) -> bool;
+        /// Writes the disparities of observations; whether all these are inside the domain.
+        fn disparities(observations: &ObservationColumns<'_, Self>, out: DisparityColumns<'_, Self>) -> bool;
     }
 
     macro_rules! compiled_for {
         ($($number:ident)+) => {
             $(impl Sealed for $number {
                 fn disparities(
-                    pair: &PointPair<Self>,
-                    times: &[Self],
-                    dphi: &mut [Self],
-                    dtheta: &mut [Self],
+                    observations: &ObservationColumns<'_, Self>,
+                    out: DisparityColumns<'_, Self>,
                 ) -> bool {
-                    pair.disparities(times, <Self as super::Real>::MAX_COORDINATE, dphi, dtheta)
+                    observations.fill(out)
                 }
             })+
         };

@@ -74,16 +74,23 @@ impl Speed {
             return Err(SpeedError::Beta(beta));
         }
         let beta = beta.abs(); // -0.0 is rest too
+        Ok(Self { rapidity: math::atanh(beta), ..Self::but_for_rapidity(beta) })
+    }
+
+    /// All of the speed `beta` in [0, 1) but its rapidity, which costs as much as all else that a row of a
+    /// batch needs of a speed.
+    #[inline]
+    fn but_for_rapidity(beta: f64) -> Self {
         let inverse_gamma_squared = (-beta).mul_add(beta, 1.0); // rounded once
         let inverse_gamma = inverse_gamma_squared.sqrt();
-        Ok(Self {
+        Self {
             beta,
             gamma: 1.0 / inverse_gamma,
             gamma_minus_one: beta * beta / (inverse_gamma * (1.0 + inverse_gamma)),
             one_minus_beta: 1.0 - beta,
             inverse_gamma_squared,
-            rapidity: math::atanh(beta),
-        })
+            rapidity: f64::NAN,
+        }
     }
 
     /// From the Lorentz factor in [1, [`MAX_GAMMA`]].
@@ -207,6 +214,7 @@ impl Speed {
     }
 
     /// The coefficients of the light-cone solution, rounded once to `F`.
+    #[inline]
     pub(crate) fn coefficients<F: Float>(&self) -> Coefficients<F> {
         let to = |v: f64| F::from(v).unwrap_or_else(F::infinity);
         Coefficients {
@@ -218,6 +226,16 @@ impl Speed {
             inverse_gamma_squared: to(self.inverse_gamma_squared),
             smallest_q: F::min_positive_value().sqrt(),
         }
+    }
+}
+
+impl<F: Float> Coefficients<F> {
+    /// Those of the speed `beta`; with a gamma that is infinite or not a number where it is outside [0, 1).
+    #[inline]
+    pub(crate) fn of_beta(beta: f64) -> Self {
+        // -0.0 is rest too.
+        let beta = if beta >= 0.0 { beta.abs() } else { f64::NAN };
+        Speed::but_for_rapidity(beta).coefficients()
     }
 }
 

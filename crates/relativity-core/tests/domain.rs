@@ -2,12 +2,12 @@
 
 use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_ground};
 use relativity_core::batch::{
-    BatchError, DisparityColumns, PointColumns, Real, SightingColumns, Threads, disparities_over_time,
-    sightings_of_points,
+    BatchError, Column, DisparityColumns, ObservationColumns, PointColumns, Real, SightingColumns, Speeds,
+    Threads, sightings_of_points,
 };
 use relativity_core::{
     Aperture, Disparity, MAX_COORDINATE, MAX_GAMMA, PublishedVariant, Sighting, SourcePoint, Speed,
-    SpeedError, StereoError, disparities, disparity, equidistance_time, one_cone_disparity,
+    SpeedError, StereoError, batch, disparities, disparity, equidistance_time, one_cone_disparity,
     printed_apparent_x, published_disparity, sighting, stereo,
 };
 
@@ -116,10 +116,16 @@ fn every_single_precision_result_in_the_domain_is_finite() {
                         SightingColumns { apparent_x: &mut x, retarded_time: &mut t, doppler_factor: &mut d };
                     let points = PointColumns { x0: &[x0], y: &[y], z: &[-time] };
                     sightings_of_points(&speed, points, aperture, time, out, Threads::One).expect("inside");
-                    let point = SourcePoint { x0: x0.into(), y: y.into(), z: (-y).into() };
+                    let observations = ObservationColumns {
+                        speeds: Speeds::Same(speed),
+                        x0: Column::Same(x0),
+                        y: Column::Same(y),
+                        z: Column::Same(-y),
+                        times: Column::Same(time),
+                        apertures: [Aperture::default(), aperture],
+                    };
                     let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
-                    let pair = [Aperture::default(), aperture];
-                    disparities_over_time(&speed, point, pair, &[time], out, Threads::One).expect("inside");
+                    batch::disparities(&observations, out, Threads::One).expect("inside");
                     let all = [x, t, d, dphi, dtheta].concat();
                     assert!(all.iter().all(|v| v.is_finite()), "{all:?} for {speed:?} {x0} {y} {time}");
                 }

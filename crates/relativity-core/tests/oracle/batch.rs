@@ -3,7 +3,8 @@
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::batch::{
-    DisparityColumns, PointColumns, SightingColumns, Threads, disparities_over_time, sightings_of_points,
+    Column, DisparityColumns, ObservationColumns, PointColumns, SightingColumns, Speeds, Threads,
+    disparities, sightings_of_points,
 };
 use relativity_core::{Aperture, MAX_ERROR_UNITS, SourcePoint, Speed, disparity, sighting};
 
@@ -52,22 +53,60 @@ fn f64_columns_of_points_equal_the_scalar_function() {
 }
 
 #[test]
-fn f64_columns_over_time_equal_the_scalar_function() {
+fn f64_disparities_of_observations_equal_the_scalar_function() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
-    let times: Vec<f64> = (0..ROWS).map(|_| draw::length(&mut rng)).collect();
-    let point = SourcePoint { x0: 0.5, y: 3.0, z: 2.0 };
+    let [x0, y, z, times] = [(); 4].map(|()| (0..ROWS).map(|_| draw::length(&mut rng)).collect::<Vec<_>>());
+    let betas: Vec<f64> =
+        (0..ROWS).map(|row| [0.0, -0.0, 1e-14, 0.755, 1.0 - f64::EPSILON][row % 5]).collect();
     let apertures = Aperture::pair(0.1);
-    for (speed, threads) in speeds().into_iter().zip([Threads::One, Threads::All, Threads::One, Threads::All])
-    {
-        let [mut dphi, mut dtheta] = [(); 2].map(|()| vec![f64::NAN; ROWS]);
-        let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
-        disparities_over_time(&speed, point, apertures, &times, out, threads).expect("inside the domain");
-        for i in 0..ROWS {
-            let both =
-                disparity(&speed, point, apertures[0], apertures[1], times[i]).expect("inside the domain");
-            assert_eq!(bits([dphi[i], dtheta[i]]), bits([both.dphi, both.dtheta]), "T = {}", times[i]);
+    let [same, each] = [[0.5, 3.0, 2.0].map(Column::Same), [&x0, &y, &z].map(|all| Column::Each(all))];
+    let speeds = speeds().map(Speeds::Same).into_iter().chain([Speeds::Betas(&betas)]);
+    for (speeds, places) in speeds.flat_map(|speeds| [(speeds, same), (speeds, each)]) {
+        let ([x0, y, z], times) = (places, Column::Each(&times));
+        let observations = ObservationColumns { speeds, x0, y, z, times, apertures };
+        for threads in [Threads::One, Threads::All] {
+            let [mut dphi, mut dtheta] = [(); 2].map(|()| vec![f64::NAN; ROWS]);
+            let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
+            disparities(&observations, out, threads).expect("inside the domain");
+            for i in 0..ROWS {
+                let speed = match speeds {
+                    Speeds::Same(speed) => speed,
+                    Speeds::Betas(betas) => Speed::from_beta(betas[i]).expect("a speed"),
+                };
+                let (point, time) = (SourcePoint { x0: x0.at(i), y: y.at(i), z: z.at(i) }, times.at(i));
+                let both =
+                    disparity(&speed, point, apertures[0], apertures[1], time).expect("inside the domain");
+                let expected = bits([both.dphi, both.dtheta]);
+                assert_eq!(bits([dphi[i], dtheta[i]]), expected, "{speed:?} {point:?} at T = {time}");
+            }
         }
     }
+}
+
+#[test]
+fn the_first_row_outside_the_domain_is_named() {
+    let wrong = |betas: [f64; 3], y: [f64; 3]| {
+        let observations = ObservationColumns {
+            speeds: Speeds::Betas(&betas),
+            x0: Column::Same(0.0),
+            y: Column::Each(&y),
+            z: Column::Same(1.0),
+            times: Column::Same(0.0),
+            apertures: Aperture::pair(0.1),
+        };
+        let [mut dphi, mut dtheta] = [[0.0; 3]; 2];
+        let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
+        disparities(&observations, out, Threads::One).map_err(|error| error.to_string())
+    };
+    assert_eq!(wrong([0.0, 0.5, 0.9], [1.0; 3]), Ok(()));
+    let beta = "row 1: beta = 1 is out of range: it must be at least 0 and below 1";
+    assert_eq!(wrong([0.0, 1.0, 0.9], [1.0; 3]), Err(beta.into()));
+    assert_eq!(wrong([0.0, 1.0, 0.9], [1.0, 1.0, f64::NAN]), Err(beta.into()));
+    for beta in [-0.5, f64::NAN, f64::INFINITY] {
+        assert!(wrong([0.0, 0.5, beta], [1.0; 3]).expect_err("no speed").starts_with("row 2: beta = "));
+    }
+    let y = "row 0: y = NaN is not a number between";
+    assert!(wrong([0.0, 1.0, 0.9], [f64::NAN, 1.0, 1.0]).expect_err("no place").starts_with(y));
 }
 
 /// Returns the f64 of a single f32 number.
@@ -112,9 +151,10 @@ fn f32_disparities_are_as_accurate_as_f32_inputs() {
         let time = single(draw::time(rng, speed.beta(), [x0, y, y.hypot(z).hypot(d / 2.0)], UNIT_F32));
         let [mut dphi, mut dtheta] = [[f32::NAN]; 2];
         let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
-        let point = SourcePoint { x0, y, z };
-        disparities_over_time(&speed, point, Aperture::pair(d), &[time as f32], out, Threads::One)
-            .expect("inside the domain");
+        let [x, y_, z_, times] = [x0, y, z, time].map(|value| Column::Same(value as f32));
+        let (speeds, apertures) = (Speeds::Same(speed), Aperture::pair(d));
+        let observations = ObservationColumns { speeds, x0: x, y: y_, z: z_, times, apertures };
+        disparities(&observations, out, Threads::One).expect("inside the domain");
         let inputs = vec![value, x0, y, z, time, d];
         let computed = [dphi[0].into(), dtheta[0].into()];
         let model = |inputs: &[_]| model::pair_disparity(parameter, inputs);
