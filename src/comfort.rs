@@ -195,12 +195,12 @@ mod tests {
                 let part = f64::from(i) / 39.0;
                 let place = match body.shape {
                     Shape::Tube { from, to, .. } => DVec3::from(from).lerp(to.into(), part),
-                    Shape::Ring { center, axis, radius, .. } => {
+                    Shape::Ring { centre, axis, radius, .. } => {
                         let turn = DQuat::from_axis_angle(axis.into(), TAU * part);
                         let across = DVec3::from(axis).cross(DVec3::new(0.3, 0.5, 0.8)).normalize();
-                        DVec3::from(center) + turn * (radius * across)
+                        DVec3::from(centre) + turn * (radius * across)
                     }
-                    Shape::Sphere { center, .. } => center.into(),
+                    Shape::Sphere { centre, .. } => centre.into(),
                     _ => unreachable!("a bicycle has no others"),
                 };
                 let depth = (3.0 * place.y + 2.0 * place.z) / 13f64.sqrt();

@@ -150,9 +150,9 @@ fn what_comes_the_other_way_is_in_the_whole_too() {
     for time in [-2.0, 0.0, 3.0, 8.0] {
         for (view, eye) in views(&state, time, SIZES[1]).iter().zip([-0.5, 0.5]) {
             let eye = eye * state.document.settings.motion.d;
-            for (center, radius, beta) in balls {
+            for (centre, radius, beta) in balls {
                 let ends = [DVec3::X, -DVec3::X, DVec3::Z, -DVec3::Z, -DVec3::Y].map(|towards| {
-                    seen((DVec3::from(center) + radius * towards).to_array(), beta, eye, time)
+                    seen((DVec3::from(centre) + radius * towards).to_array(), beta, eye, time)
                 });
                 let least = margin(&view.camera, &ends);
                 assert!(least > LEAST_MARGIN, "T {time}, beta {beta}: {least}");

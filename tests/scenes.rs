@@ -7,20 +7,20 @@ use relativity_render::{Body, Material, Shape};
 /// Signed distance of a point from the surface of a shape.
 fn distance(shape: &Shape, point: DVec3) -> f64 {
     match *shape {
-        Shape::Sphere { center, radius } => point.distance(center.into()) - radius,
+        Shape::Sphere { centre, radius } => point.distance(centre.into()) - radius,
         Shape::Tube { from, to, radius } => {
             let (from, to) = (DVec3::from(from), DVec3::from(to));
             let along = (to - from).dot(point - from) / (to - from).length_squared();
             point.distance(from.lerp(to, along.clamp(0.0, 1.0))) - radius
         }
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            let offset = point - DVec3::from(center);
+        Shape::Ring { centre, axis, radius, tube_radius } => {
+            let offset = point - DVec3::from(centre);
             let height = offset.dot(axis.into());
             let from_axis = (offset - height * DVec3::from(axis)).length();
             (from_axis - radius).hypot(height) - tube_radius
         }
-        Shape::Box { center, half, turn } => {
-            let own = DQuat::from_array(turn).conjugate() * (point - DVec3::from(center));
+        Shape::Box { centre, half, turn } => {
+            let own = DQuat::from_array(turn).conjugate() * (point - DVec3::from(centre));
             let out = own.abs() - DVec3::from(half);
             out.max(DVec3::ZERO).length() + out.max_element().min(0.0)
         }
@@ -64,8 +64,8 @@ fn cyclist() -> Scene {
 fn the_cyclists_tracked_point_is_the_papers_at_the_front_of_the_front_tyre() {
     let cyclist = cyclist();
     assert_eq!(cyclist.tracked, [0.0, 3.0, 2.0]);
-    let Shape::Ring { center, axis, .. } = cyclist.bodies[0].shape else { panic!("the tyre comes first") };
-    assert_eq!((center[1], center[2], axis), (3.0, 2.0, [0.0, 1.0, 0.0]));
+    let Shape::Ring { centre, axis, .. } = cyclist.bodies[0].shape else { panic!("the tyre comes first") };
+    assert_eq!((centre[1], centre[2], axis), (3.0, 2.0, [0.0, 1.0, 0.0]));
     assert!(distance(&cyclist.bodies[0].shape, cyclist.tracked.into()).abs() < 1e-12);
 }
 
@@ -82,10 +82,10 @@ const NO_FLAT_FACES: &str = "the cyclist has none with flat faces";
 /// Largest x on a shape.
 fn largest_x(shape: &Shape) -> f64 {
     match *shape {
-        Shape::Sphere { center, radius } => center[0] + radius,
+        Shape::Sphere { centre, radius } => centre[0] + radius,
         Shape::Tube { from, to, radius } => from[0].max(to[0]) + radius,
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            center[0] + radius * (1.0 - axis[0] * axis[0]).sqrt() + tube_radius
+        Shape::Ring { centre, axis, radius, tube_radius } => {
+            centre[0] + radius * (1.0 - axis[0] * axis[0]).sqrt() + tube_radius
         }
         _ => unreachable!("{NO_FLAT_FACES}"),
     }
@@ -103,8 +103,8 @@ fn the_wheels_of_the_street_scene_stand_on_the_ground() {
 /// Lowest point of a ring as large as a tyre.
 fn lowest_z_of_tyre(shape: &Shape) -> Option<f64> {
     match *shape {
-        Shape::Ring { center, radius, tube_radius, .. } if radius > 0.47 => {
-            Some(center[2] - radius - tube_radius)
+        Shape::Ring { centre, radius, tube_radius, .. } if radius > 0.47 => {
+            Some(centre[2] - radius - tube_radius)
         }
         _ => None,
     }
@@ -144,12 +144,12 @@ fn touch(a: &Shape, b: &Shape) -> bool {
 fn skeleton(shape: &Shape) -> Box<dyn Iterator<Item = DVec3>> {
     let steps = (0..=200).map(|step| f64::from(step) / 200.0);
     match *shape {
-        Shape::Sphere { center, .. } => Box::new(std::iter::once(center.into())),
+        Shape::Sphere { centre, .. } => Box::new(std::iter::once(centre.into())),
         Shape::Tube { from, to, .. } => Box::new(steps.map(move |s| DVec3::from(from).lerp(to.into(), s))),
-        Shape::Ring { center, axis, radius, .. } => {
+        Shape::Ring { centre, axis, radius, .. } => {
             let (u, v) = DVec3::from(axis).any_orthonormal_pair();
             let turns = steps.map(|s| (std::f64::consts::TAU * s).sin_cos());
-            Box::new(turns.map(move |(sin, cos)| DVec3::from(center) + radius * (cos * u + sin * v)))
+            Box::new(turns.map(move |(sin, cos)| DVec3::from(centre) + radius * (cos * u + sin * v)))
         }
         _ => unreachable!("{NO_FLAT_FACES}"),
     }
@@ -238,8 +238,8 @@ fn the_town_is_what_its_example_writes() {
     let scene = Scene::preset("town").expect("a preset");
     let ground = scene.ground_z.expect("a ground");
     let low = |body: &Body| match body.shape {
-        Shape::Box { center, half, .. } => center[2] - half[2],
-        Shape::Sphere { center, radius } => center[2] - radius,
+        Shape::Box { centre, half, .. } => centre[2] - half[2],
+        Shape::Sphere { centre, radius } => centre[2] - radius,
         _ => f64::INFINITY,
     };
     let touching = scene.bodies.iter().find(|body| (low(body) - ground).abs() < 0.02);

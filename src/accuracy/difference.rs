@@ -70,8 +70,8 @@ impl Difference {
         let pairs = reference.hits.iter().zip(&shown.hits).enumerate();
         let pixels: Vec<_> = pairs
             .map(|(i, (reference, shown))| {
-                let center = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
-                let line_of_sight = lines_of_sight.through(center);
+                let centre = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
+                let line_of_sight = lines_of_sight.through(centre);
                 let seen = |hit: &Hit| direction(&group_views[scene.group_of(hit.body)], hit);
                 pixel_difference(line_of_sight, reference.as_ref(), shown.as_ref(), seen)
             })
@@ -143,8 +143,8 @@ mod tests {
     use super::*;
     use crate::accuracy::{TrackedPlace, view_at};
 
-    fn ball(center: [f64; 3], radius: f64) -> Body {
-        Body::new(Shape::Sphere { center, radius }, 600.0)
+    fn ball(centre: [f64; 3], radius: f64) -> Body {
+        Body::new(Shape::Sphere { centre, radius }, 600.0)
     }
 
     fn view(beta: f64) -> View {

@@ -36,8 +36,8 @@ pub struct OutlinePixels {
 pub fn outline_pixels(image: &HitImage, count: usize) -> Vec<OutlinePixels> {
     let [width, height] = image.size.map(|side| side as usize);
     let pixel = |u: usize, v: usize| {
-        let center = DVec2::new(u as f64 + 0.5, v as f64 + 0.5);
-        (image.hits[v * width + u], center)
+        let centre = DVec2::new(u as f64 + 0.5, v as f64 + 0.5);
+        (image.hits[v * width + u], centre)
     };
     let rows = (0..height).flat_map(|v| (1..width).map(move |u| [pixel(u - 1, v), pixel(u, v)]));
     let columns = (1..height).flat_map(|v| (0..width).map(move |u| [pixel(u, v - 1), pixel(u, v)]));
@@ -214,7 +214,7 @@ mod tests {
     use super::*;
 
     fn ball(radius: f64) -> PreparedScene {
-        let shape = Shape::Sphere { center: [0.0, 5.0, 0.0], radius };
+        let shape = Shape::Sphere { centre: [0.0, 5.0, 0.0], radius };
         PreparedScene::moving(&[Body::new(shape, 600.0)])
     }
 

@@ -77,7 +77,7 @@ code { font-size: 9.5pt; overflow-wrap: anywhere; }
 /// Style sheet of formulas on any page.
 const FORMULAS: &str = "\
 .formula { max-width: 100%; overflow: visible; }
-.displayed { display: block; margin: 0.8em 0; text-align: center; break-inside: avoid; }
+.displayed { display: block; margin: 0.8em 0; text-align: centre; break-inside: avoid; }
 ";
 
 /// A page that is being written.

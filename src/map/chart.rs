@@ -29,7 +29,7 @@ pub struct Chart {
     /// Half the chart's width and height, points.
     pub half: [f64; 2],
     /// Place in the middle of the chart: to the right and up, units.
-    pub center: [f64; 2],
+    pub centre: [f64; 2],
     /// Points per unit, above 0.
     pub scale: f64,
 }
@@ -39,8 +39,8 @@ impl Chart {
     #[must_use]
     pub fn screen(&self, [right, up]: [f64; 2]) -> [f64; 2] {
         [
-            self.middle[0] + self.scale * (right - self.center[0]),
-            self.middle[1] - self.scale * (up - self.center[1]),
+            self.middle[0] + self.scale * (right - self.centre[0]),
+            self.middle[1] - self.scale * (up - self.centre[1]),
         ]
     }
 
@@ -48,8 +48,8 @@ impl Chart {
     #[must_use]
     pub fn world(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
-            self.center[0] + (x - self.middle[0]) / self.scale,
-            self.center[1] - (y - self.middle[1]) / self.scale,
+            self.centre[0] + (x - self.middle[0]) / self.scale,
+            self.centre[1] - (y - self.middle[1]) / self.scale,
         ]
     }
 
@@ -58,7 +58,7 @@ impl Chart {
     pub fn range(&self) -> [[f64; 2]; 2] {
         [0, 1].map(|axis| {
             let reach = self.half[axis] / self.scale;
-            [self.center[axis] - reach, self.center[axis] + reach]
+            [self.centre[axis] - reach, self.centre[axis] + reach]
         })
     }
 }

@@ -68,7 +68,7 @@ fn flush(run: &mut Vec<[f64; 2]>, draw: &mut impl FnMut(&[[f64; 2]])) {
 mod tests {
     use super::*;
 
-    const CHART: Chart = Chart { middle: [50.0, 50.0], half: [50.0, 50.0], center: [0.0, 0.0], scale: 10.0 };
+    const CHART: Chart = Chart { middle: [50.0, 50.0], half: [50.0, 50.0], centre: [0.0, 0.0], scale: 10.0 };
 
     fn runs(places: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
         let mut runs = Vec::new();

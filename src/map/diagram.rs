@@ -283,11 +283,11 @@ pub fn chart([left, top, width, height]: [f64; 4], [low, high]: [Event; 2], view
     let free = [(width - before - behind).max(0.4 * width), (height - above - below).max(0.4 * height)];
     let fitted = (free[0] / (high.x - low.x)).min(free[1] / (high.t - low.t));
     let aside = [0.5 * (before - behind) / fitted, 0.5 * (below - above) / fitted];
-    let center = [0.5 * (low.x + high.x), 0.5 * (low.t + high.t)];
+    let centre = [0.5 * (low.x + high.x), 0.5 * (low.t + high.t)];
     Chart {
         middle: [left + 0.5 * width, top + 0.5 * height],
         half: [0.5 * width, 0.5 * height],
-        center: [0, 1].map(|axis| center[axis] - aside[axis] + viewpoint.shift[axis]),
+        centre: [0, 1].map(|axis| centre[axis] - aside[axis] + viewpoint.shift[axis]),
         scale: fitted * viewpoint.zoom,
     }
 }

@@ -114,9 +114,9 @@ fn subject_box(scene: &Scene) -> [[f64; 2]; 3] {
     if around[0][0] <= around[0][1] { around } else { [[-1.0, 1.0]; 3] }
 }
 
-fn joined(around: [[f64; 2]; 3], (center, radius): ([f64; 3], f64)) -> [[f64; 2]; 3] {
+fn joined(around: [[f64; 2]; 3], (centre, radius): ([f64; 3], f64)) -> [[f64; 2]; 3] {
     [0, 1, 2]
-        .map(|axis| [around[axis][0].min(center[axis] - radius), around[axis][1].max(center[axis] + radius)])
+        .map(|axis| [around[axis][0].min(centre[axis] - radius), around[axis][1].max(centre[axis] + radius)])
 }
 
 /// The plan (x, y) above and the view from the side (x, z) below, in a rectangle (left, top, width, height,
@@ -132,12 +132,12 @@ pub fn plan_and_side(
     let height = (height - BETWEEN).max(2.0);
     let fitted = (width.max(1.0) / size[0]).min(height / (size[1] + size[2]));
     let scale = fitted * viewpoint.zoom;
-    let center = [0, 1, 2].map(|axis| middle[axis] + viewpoint.shift[axis]);
+    let centre = [0, 1, 2].map(|axis| middle[axis] + viewpoint.shift[axis]);
     let plan_height = height * size[1] / (size[1] + size[2]);
     let chart = |top: f64, height: f64, up: usize| Chart {
         middle: [left + 0.5 * width, top + 0.5 * height],
         half: [0.5 * width, 0.5 * height],
-        center: [center[0], center[up]],
+        centre: [centre[0], centre[up]],
         scale,
     };
     [chart(top, plan_height, 1), chart(top + plan_height + BETWEEN, height - plan_height, 2)]

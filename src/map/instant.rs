@@ -204,10 +204,10 @@ impl Places {
         radius: f64,
     ) -> Option<[DVec3; 3]> {
         let point = point.into();
-        let center = self.place(picture, point)?;
+        let centre = self.place(picture, point)?;
         let radius_along = |axis: DVec3| {
             let end = MaterialPoint { rest: point.rest + radius * axis, ..point };
-            Some(self.place(picture, end)? - center)
+            Some(self.place(picture, end)? - centre)
         };
         Some([radius_along(DVec3::X)?, radius_along(DVec3::Y)?, radius_along(DVec3::Z)?])
     }

@@ -213,8 +213,8 @@ fn the_nearest_point_is_on_the_body_under_the_pointer() {
 fn thousands_of_bodies_are_thinned_out() {
     let mut scene = cyclist();
     let body = |i: usize| {
-        let center = [(i % 80) as f64 * 0.2 - 8.0, 3.0, (i / 80) as f64 * 0.1];
-        relativity_render::Body::new(Shape::Sphere { center, radius: 0.09 }, 600.0)
+        let centre = [(i % 80) as f64 * 0.2 - 8.0, 3.0, (i / 80) as f64 * 0.1];
+        relativity_render::Body::new(Shape::Sphere { centre, radius: 0.09 }, 600.0)
     };
     scene.bodies = (0..6400).map(body).collect();
     scene.names = vec!["ball".to_owned(); 6400];
@@ -228,7 +228,7 @@ fn thousands_of_bodies_are_thinned_out() {
 
 #[test]
 fn the_outline_of_a_ball_holds_all_of_it() {
-    let shape = Shape::Sphere { center: [-0.5, 3.0, 2.0], radius: 0.2 };
+    let shape = Shape::Sphere { centre: [-0.5, 3.0, 2.0], radius: 0.2 };
     let mut scene = cyclist();
     scene.bodies[0].shape = shape;
     let settings = settings(0.9, MapFrame::Ground);

@@ -113,7 +113,7 @@ fn pattern(object: &Table, shape: &Shape) -> Result<Pattern, Located> {
 
 fn sphere(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["centre", "radius"])?;
-    Ok(Shape::Sphere { center: object.needed_point("centre")?, radius: object.needed_size("radius")? })
+    Ok(Shape::Sphere { centre: object.needed_point("centre")?, radius: object.needed_size("radius")? })
 }
 
 fn tube(object: &Table) -> Result<Shape, Located> {
@@ -123,7 +123,7 @@ fn tube(object: &Table) -> Result<Shape, Located> {
 
 fn ring(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["centre", "axis", "radius", "tube_radius"])?;
-    let center = object.needed_point("centre")?;
+    let centre = object.needed_point("centre")?;
     let axis = object.needed_direction("axis")?;
     let radius = object.needed_size("radius")?;
     let tube_radius = object.needed_size("tube_radius")?;
@@ -133,15 +133,15 @@ fn ring(object: &Table) -> Result<Shape, Located> {
             object.problem_at("tube_radius", |tube_radius| SceneProblem::NoHole { tube_radius, radius })
         );
     }
-    Ok(Shape::Ring { center, axis, radius, tube_radius })
+    Ok(Shape::Ring { centre, axis, radius, tube_radius })
 }
 
 fn cuboid(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["centre", "size", "axis", "angle"])?;
-    let center = object.needed_point("centre")?;
+    let centre = object.needed_point("centre")?;
     let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
     let turn = object.turn("the box")?;
-    Ok(Shape::Box { center, half, turn: turn.to_array() })
+    Ok(Shape::Box { centre, half, turn: turn.to_array() })
 }
 
 fn cylinder(object: &Table) -> Result<Shape, Located> {

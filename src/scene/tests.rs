@@ -53,10 +53,10 @@ fn objects_keep_their_order_and_what_the_file_says() {
     let scene = Scene::parse(EXAMPLE, "balls.toml").expect("the example is right");
     assert_eq!(scene.name, "Two balls");
     assert_eq!(scene.ground_z, None);
-    let sphere = Shape::Sphere { center: [0.0, 3.0, 2.0], radius: 0.5 };
+    let sphere = Shape::Sphere { centre: [0.0, 3.0, 2.0], radius: 0.5 };
     let tube = Shape::Tube { from: [-1.0, 3.0, 0.5], to: [1.0, 3.0, 0.5], radius: 0.1 };
     let ring =
-        Shape::Ring { center: [0.0, 4.0, 0.0], axis: [0.0, 0.6, 0.8], radius: 0.5, tube_radius: 0.125 };
+        Shape::Ring { centre: [0.0, 4.0, 0.0], axis: [0.0, 0.6, 0.8], radius: 0.5, tube_radius: 0.125 };
     let expected = [(sphere, 550.0), (tube, 700.0), (ring, 700.0)];
     let expected = expected.map(|(shape, rest_wavelength_nm)| Body::new(shape, rest_wavelength_nm));
     assert_eq!(scene.bodies, expected);
@@ -95,7 +95,7 @@ fn an_include_moves_a_preset_and_comes_before_the_objects() {
     let scene = Scene::parse(text, "x").expect("right");
     let cyclist = Scene::preset("cyclist").expect("a preset");
     let balls = Scene::preset("two-balls").expect("a preset");
-    let [Shape::Ring { center: there, .. }, Shape::Ring { center: here, .. }] =
+    let [Shape::Ring { centre: there, .. }, Shape::Ring { centre: here, .. }] =
         [&scene, &cyclist].map(|scene| scene.bodies[0].shape)
     else {
         panic!("the tyre comes first")
@@ -362,8 +362,8 @@ fn a_box_has_full_lengths_and_may_be_turned() {
     let half_and_x = |rest: &str| {
         let text = format!("name = \"x\"\n[[object]]\nshape = \"box\"\ncentre = [1, 2, 3]\n{rest}");
         let scene = Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}"));
-        let Shape::Box { center, half, turn } = scene.bodies[0].shape else { panic!("a box") };
-        assert_eq!(center, [1.0, 2.0, 3.0]);
+        let Shape::Box { centre, half, turn } = scene.bodies[0].shape else { panic!("a box") };
+        assert_eq!(centre, [1.0, 2.0, 3.0]);
         (half, glam::DQuat::from_array(turn) * glam::DVec3::X)
     };
     let size = "size = [2, 4, 6]";

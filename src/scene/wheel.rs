@@ -231,7 +231,7 @@ impl Wheel {
     }
 
     fn ring(&self, radius: f64, tube_radius: f64) -> Shape {
-        Shape::Ring { center: self.hub.to_array(), axis: [0.0, 1.0, 0.0], radius, tube_radius }
+        Shape::Ring { centre: self.hub.to_array(), axis: [0.0, 1.0, 0.0], radius, tube_radius }
     }
 
     fn hub_tube(&self) -> Shape {

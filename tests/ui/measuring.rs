@@ -53,12 +53,12 @@ fn told(window: &Harness<'_, App>, name: &str) -> [f64; 2] {
 /// tangents in the ball's own frame, where it rests.
 fn tangents(state: &State) -> [DVec3; 2] {
     let ball = state.document.scene.bodies.iter().find_map(|body| match body.shape {
-        Shape::Sphere { center, radius } => Some((DVec3::from(center), radius)),
+        Shape::Sphere { centre, radius } => Some((DVec3::from(centre), radius)),
         _ => None,
     });
-    let ((center, radius), speed) = (ball.expect("a globe"), state.speed());
+    let ((centre, radius), speed) = (ball.expect("a globe"), state.speed());
     let eye = speed.gamma() * (-SEPARATION / 2.0 - speed.beta() * state.document.time);
-    let away = center - DVec3::new(eye, 0.0, 0.0);
+    let away = centre - DVec3::new(eye, 0.0, 0.0);
     let half = (radius / away.length()).asin();
     let axis = DVec3::X.cross(away).normalize();
     [half, -half].map(|turn| {

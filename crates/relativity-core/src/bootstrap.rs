@@ -43,7 +43,7 @@ pub struct Bootstrap {
     pub estimates: Vec<Option<[f64; 4]>>,
     /// u or z of each replicate where its sum of squares is least, beyond the end of the domain, too.
     heights: Vec<Option<f64>>,
-    center: Option<Center>,
+    centre: Option<Center>,
 }
 
 /// The best fit in parameters in which its errors are the most alike: ln(rapidity), ln(y), z and x0; u for z
@@ -62,7 +62,7 @@ impl Bootstrap {
     /// the same `seed` gives the same replicates.
     pub fn extend(&mut self, fit: &Fit, more: usize, seed: u64) {
         let shared = ReplicateData::new(fit);
-        self.center = shared.as_ref().map(|shared| shared.center);
+        self.centre = shared.as_ref().map(|shared| shared.centre);
         for replicate in replicates(shared.as_ref(), self.estimates.len(), more, seed) {
             self.estimates.push(replicate.map(|replicate| replicate.values));
             self.heights.push(replicate.map(|replicate| replicate.height));
@@ -111,27 +111,27 @@ impl Bootstrap {
     /// its limit 0, so is the lower end; the upper one never is.
     #[must_use]
     pub fn interval_95(&self, parameter: Parameter) -> [f64; 2] {
-        let Some(center) = &self.center else { return percentiles_95(self.values(parameter)) };
-        let value = center.values[parameter as usize];
-        let (ends, widening) = self.percentiles(center, parameter);
+        let Some(centre) = &self.centre else { return percentiles_95(self.values(parameter)) };
+        let value = centre.values[parameter as usize];
+        let (ends, widening) = self.percentiles(centre, parameter);
         let [low, high] = ends.map(|end| widening * (end - value));
-        let is_bounded = center.scale.is_some() && parameter == Parameter::Z;
+        let is_bounded = centre.scale.is_some() && parameter == Parameter::Z;
         let above = if is_bounded { value.max(0.0) } else { value };
-        [value + low, above + high].map(|end| center.reported(parameter, end))
+        [value + low, above + high].map(|end| centre.reported(parameter, end))
     }
 
     /// By how many times the interval of `parameter` is wider than the percentiles of the replicates.
     pub(crate) fn widening(&self, parameter: Parameter) -> f64 {
-        self.center.as_ref().map_or(1.0, |center| self.percentiles(center, parameter).1)
+        self.centre.as_ref().map_or(1.0, |centre| self.percentiles(centre, parameter).1)
     }
 
     /// The percentiles of a parameter of [`Center`], and by how many times they are drawn apart.
-    fn percentiles(&self, center: &Center, parameter: Parameter) -> ([f64; 2], f64) {
+    fn percentiles(&self, centre: &Center, parameter: Parameter) -> ([f64; 2], f64) {
         let ends = match parameter {
             Parameter::Z => percentiles_95(self.heights.iter().flatten().copied()),
             _ => percentiles_95(self.values(parameter)).map(|end| inner(parameter, end)),
         };
-        let widening = 2.0 * center.half_widths[parameter as usize] / (ends[1] - ends[0]);
+        let widening = 2.0 * centre.half_widths[parameter as usize] / (ends[1] - ends[0]);
         // Without noise there is no width; and far from a straight line replicates know better.
         (ends, if widening.is_finite() { widening.max(1.0) } else { 1.0 })
     }
@@ -274,7 +274,7 @@ struct ReplicateData<'a> {
     parts: Vec<NormalEquations>,
     /// Sizes of the regular parameters.
     sizes: Free,
-    center: Center,
+    centre: Center,
 }
 
 impl<'a> ReplicateData<'a> {
@@ -285,10 +285,10 @@ impl<'a> ReplicateData<'a> {
         let (free, sizes) = (regular.parameters(&fit.free), fit.problem.sizes(&trial));
         let scale = regular.stops_at_zero().then_some(trial.y);
         let values = [free[0], free[1], free[2], trial.reported()[3]];
-        let center = Center { values, half_widths: half_widths(fit, &regular, &trial)?, scale };
-        let mut shared = Self { regular, free, parts, sizes, center };
+        let centre = Center { values, half_widths: half_widths(fit, &regular, &trial)?, scale };
+        let mut shared = Self { regular, free, parts, sizes, centre };
         let equations = shared.at_original_optimum(&vec![1.0; shared.parts.len()]);
-        shared.center.values[2] = shared.height(&free, &free, &equations)?;
+        shared.centre.values[2] = shared.height(&free, &free, &equations)?;
         Some(shared)
     }
 

@@ -219,12 +219,12 @@ fn crowd(count: u32) -> Vec<Body> {
     let size = f64::from(count).cbrt().recip();
     let spread = |i: u32, root: f64| (f64::from(i) * root.sqrt()).fract();
     let body = |i| {
-        let center = [12.0 * spread(i, 2.0) - 6.0, 4.0 + 4.0 * spread(i, 3.0), 4.0 * spread(i, 5.0) - 2.0];
-        let [x, y, z] = center;
+        let centre = [12.0 * spread(i, 2.0) - 6.0, 4.0 + 4.0 * spread(i, 3.0), 4.0 * spread(i, 5.0) - 2.0];
+        let [x, y, z] = centre;
         let shape = match i % 3 {
-            0 => Shape::Sphere { center, radius: 0.5 * size },
+            0 => Shape::Sphere { centre, radius: 0.5 * size },
             1 => Shape::Tube { from: [x - size, y, z], to: [x + size, y, z + size], radius: 0.2 * size },
-            _ => Shape::Ring { center, axis: [0.0, 0.6, 0.8], radius: size, tube_radius: 0.1 * size },
+            _ => Shape::Ring { centre, axis: [0.0, 0.6, 0.8], radius: size, tube_radius: 0.1 * size },
         };
         Body::new(shape, 650.0)
     };

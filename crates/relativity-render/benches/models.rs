@@ -36,7 +36,7 @@ fn main() {
     println!(
         "{count:.1} million triangles: made and prepared in {prepared_s:.2} s; {left:.0} MB, at most {most:.0}"
     );
-    let exact = PreparedScene::moving(&[Body::white(Shape::Sphere { center: MIDDLE, radius: 0.6 })]);
+    let exact = PreparedScene::moving(&[Body::white(Shape::Sphere { centre: MIDDLE, radius: 0.6 })]);
     for fov in [40.0, 15.0] {
         let view = view(f64::to_radians(fov));
         for (name, scene) in [("a million triangles", &scene), ("our ball", &exact)] {

@@ -81,8 +81,8 @@ fn loop_over_all(scene: &PreparedScene, view: &View) -> usize {
     let lines_of_sight = view.camera.lines_of_sight();
     let [width, height] = view.camera.size;
     let hits_of_row = |v: u32| {
-        let centers = (0..width).map(|u| [f64::from(u) + 0.5, f64::from(v) + 0.5]);
-        centers.filter(|&center| scene.first_hit(view, lines_of_sight.through(center)).is_some()).count()
+        let centres = (0..width).map(|u| [f64::from(u) + 0.5, f64::from(v) + 0.5]);
+        centres.filter(|&centre| scene.first_hit(view, lines_of_sight.through(centre)).is_some()).count()
     };
     (0..height).into_par_iter().map(hits_of_row).sum()
 }
@@ -95,13 +95,13 @@ fn crowd(count: u32) -> Vec<Body> {
         let place = DVec3::new(12.0 * spread(i, 2.0) - 6.0, 3.0 + 4.0 * spread(i, 3.0), 4.0 * spread(i, 5.0));
         let turned =
             DVec3::new(spread(i, 7.0) - 0.5, spread(i, 11.0) - 0.5, spread(i, 13.0) - 0.5).normalize();
-        let center = place.to_array();
+        let centre = place.to_array();
         let shape = match i % 3 {
-            0 => Shape::Sphere { center, radius: 0.4 * size },
+            0 => Shape::Sphere { centre, radius: 0.4 * size },
             1 => {
-                Shape::Tube { from: center, to: (place + turned * 2.0 * size).to_array(), radius: 0.1 * size }
+                Shape::Tube { from: centre, to: (place + turned * 2.0 * size).to_array(), radius: 0.1 * size }
             }
-            _ => Shape::Ring { center, axis: turned.to_array(), radius: 0.6 * size, tube_radius: 0.1 * size },
+            _ => Shape::Ring { centre, axis: turned.to_array(), radius: 0.6 * size, tube_radius: 0.1 * size },
         };
         Body::new(shape, 600.0)
     };

@@ -80,7 +80,7 @@ fn wheels() -> Vec<Body> {
 
 fn wheel(hub: [f64; 3]) -> impl Iterator<Item = Body> {
     const SPOKES: u32 = 14;
-    let ring = |radius, tube_radius| Shape::Ring { center: hub, axis: [0.0, 1.0, 0.0], radius, tube_radius };
+    let ring = |radius, tube_radius| Shape::Ring { centre: hub, axis: [0.0, 1.0, 0.0], radius, tube_radius };
     let place = move |off_axle: f64, angle: f64, y: f64| {
         let (sine, cosine) = angle.sin_cos();
         (DVec3::from(hub) + DVec3::new(off_axle * cosine, y, off_axle * sine)).to_array()

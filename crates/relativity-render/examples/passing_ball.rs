@@ -10,7 +10,7 @@ use relativity_core::{Aperture, Speed};
 use relativity_render::{Appearance, Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let ball = Shape::Sphere { center: [0.0, 4.0, 0.0], radius: 1.0 };
+    let ball = Shape::Sphere { centre: [0.0, 4.0, 0.0], radius: 1.0 };
     let scene = PreparedScene::moving(&[Body::new(ball, 600.0)]);
     let mut view = View {
         camera: Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.2, [320, 240]),

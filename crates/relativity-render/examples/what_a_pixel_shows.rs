@@ -12,7 +12,7 @@ use relativity_render::{Body, Camera, Gaze, Geometry, PreparedScene, Shape, View
 const SIZE: [u32; 2] = [64, 48];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let ball = |x: f64| Body::new(Shape::Sphere { center: [x, 4.0, 0.0], radius: 0.8 }, 550.0);
+    let ball = |x: f64| Body::new(Shape::Sphere { centre: [x, 4.0, 0.0], radius: 0.8 }, 550.0);
     let scene = PreparedScene::moving(&[ball(0.0), ball(3.0)]);
     let view = View {
         camera: Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.5, SIZE),

@@ -27,7 +27,7 @@
 //! use relativity_core::{Aperture, Speed};
 //! use relativity_render::{Appearance, Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
 //!
-//! let shape = Shape::Sphere { center: [0.0, 3.0, 2.0], radius: 0.5 };
+//! let shape = Shape::Sphere { centre: [0.0, 3.0, 2.0], radius: 0.5 };
 //! let scene = PreparedScene::moving(&[Body::new(shape, 700.0)]);
 //! let mut view = View {
 //!     camera: Camera::new(Aperture::pair(0.1)[0], Gaze::STRAIGHT_AHEAD, 0.5, [64, 48]),

@@ -6,7 +6,7 @@ use relativity_render::{
     Appearance, Body, Camera, Method, PreparedScene, Projection, Renderers, Shape, View,
 };
 
-use crate::mercator::{self, Chart, FOLLOWED, along, centre, doppler_factor, gamma, rapidity, views};
+use crate::mercator::{self, Chart, FOLLOWED, along, pixel_centre, doppler_factor, gamma, rapidity, views};
 use crate::scenes::{still_life, time_seen_at, view_following};
 use crate::support::documented;
 
@@ -57,7 +57,7 @@ fn both_eyes_see_a_point_in_one_row() {
         let chart = Chart::new(&view);
         let image = scene.hit_image(&view);
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
-            let here = centre(&image, i);
+            let here = pixel_centre(&image, i);
             let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
             let there = sighting(&view.speed, point, right, view.observation_time).expect("in the domain");
             let there = other.camera.pixel(there.position.into()).expect("off the baseline");
@@ -80,7 +80,7 @@ fn the_column_tells_the_doppler_factor() {
         let (chart, speed) = (Chart::new(&view), &view.speed);
         let image = scene.hit_image(&view);
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
-            let u = chart.coordinates(centre(&image, i)).x;
+            let u = chart.coordinates(pixel_centre(&image, i)).x;
             let expected = doppler_factor(speed, u);
             most = most.max((hit.doppler_factor / expected - 1.0).abs());
             let rho = hit.rest_position.y.hypot(hit.rest_position.z);
@@ -103,8 +103,8 @@ fn the_column_tells_the_doppler_factor() {
 #[test]
 fn the_greatest_gamma_gives_the_picture_of_the_limit() {
     let speed = gamma(1e30);
-    let (center, radius) = (DVec3::from(FOLLOWED), 0.6);
-    let body = Body::new(Shape::Sphere { center: FOLLOWED, radius }, 600.0);
+    let (centre, radius) = (DVec3::from(FOLLOWED), 0.6);
+    let body = Body::new(Shape::Sphere { centre: FOLLOWED, radius }, 600.0);
     let scene = PreparedScene::moving(&[body]);
     let mut renderers = Renderers::new(None);
     for (along, method) in [-2.0, 0.0, 1.5]
@@ -117,9 +117,9 @@ fn the_greatest_gamma_gives_the_picture_of_the_limit() {
         let image = renderers.hits(method, &scene, &view).expect("the CPU draws it");
         let (mut shown, context) = (0, format!("{method}, along {along}"));
         for (i, hit) in image.hits.iter().enumerate() {
-            let DVec2 { x: u, y: v } = chart.coordinates(centre(&image, i));
+            let DVec2 { x: u, y: v } = chart.coordinates(pixel_centre(&image, i));
             let rho = view.observation_time * (-u).exp();
-            let off = DVec2::new(rho * v.cos() - center.y, rho * v.sin() - center.z).length();
+            let off = DVec2::new(rho * v.cos() - centre.y, rho * v.sin() - centre.z).length();
             // A hundredth of a pixel.
             let is_at_edge = (off - radius).abs() < 0.01 * rho / chart.px_per_unit;
             assert!(is_at_edge || hit.is_some() == (off < radius), "{context}: {off} from the middle");
@@ -129,7 +129,7 @@ fn the_greatest_gamma_gives_the_picture_of_the_limit() {
             assert!((hit.doppler_factor / expected - 1.0).abs() < 1e-5, "{context}: {}", hit.doppler_factor);
             assert!((hit.distance / (rho * u.cosh()) - 1.0).abs() < 1e-5, "{context}: {}", hit.distance);
             if !is_at_edge && off < 0.99 * radius {
-                let x = center.x - (radius * radius - off * off).sqrt();
+                let x = centre.x - (radius * radius - off * off).sqrt();
                 assert!((hit.rest_position.x - x).abs() < 1e-4, "{context}: {} for {x}", hit.rest_position.x);
             }
         }

@@ -32,8 +32,8 @@ fn appearance() -> Appearance {
 /// A wheel that touches the road, raised by `height`.
 fn scene(velocity: Velocity, height: f64) -> PreparedScene {
     let [x, y, z] = CONTACT;
-    let center = [x, y, z + RADIUS + height];
-    let ring = Shape::Ring { center, axis: [0.0, 1.0, 0.0], radius: RADIUS - TUBE, tube_radius: TUBE };
+    let centre = [x, y, z + RADIUS + height];
+    let ring = Shape::Ring { centre, axis: [0.0, 1.0, 0.0], radius: RADIUS - TUBE, tube_radius: TUBE };
     let motion = if velocity.is_backward { Motion::Own(velocity) } else { Motion::Scene };
     PreparedScene::new([Group { motion, bodies: &[Body::new(ring, 600.0)] }])
 }

@@ -45,11 +45,11 @@ fn motion_slides_the_picture_and_nothing_else(renderers: &mut Renderers) {
 /// reference shows no farther off than the bound.
 fn pictures_go_all_around(renderers: &mut Renderers) {
     let shapes = [
-        Shape::Ring { center: [0.3, 0.1, -0.2], axis: [1.0, 0.0, 0.0], radius: 1.5, tube_radius: 0.2 },
+        Shape::Ring { centre: [0.3, 0.1, -0.2], axis: [1.0, 0.0, 0.0], radius: 1.5, tube_radius: 0.2 },
         Shape::Cylinder { from: [1.5, -2.0, 0.05], to: [1.5, -1.0, -0.05], radius: 0.3 },
-        Shape::Box { center: [-2.0, 0.3, 0.1], half: [0.1, 1.5, 0.4], turn: [0.0, 0.0, 0.0, 1.0] },
-        Shape::Sphere { center: [-0.5, -3.0, 0.4], radius: 0.8 },
-        Shape::Sphere { center: [-0.5, 3.0, 0.4], radius: 0.8 },
+        Shape::Box { centre: [-2.0, 0.3, 0.1], half: [0.1, 1.5, 0.4], turn: [0.0, 0.0, 0.0, 1.0] },
+        Shape::Sphere { centre: [-0.5, -3.0, 0.4], radius: 0.8 },
+        Shape::Sphere { centre: [-0.5, 3.0, 0.4], radius: 0.8 },
     ];
     let bodies = shapes.map(|shape| Body::new(shape, 600.0));
     let scene = PreparedScene::moving(&bodies);
@@ -76,7 +76,7 @@ fn pictures_go_all_around(renderers: &mut Renderers) {
                     if body == true_hit.map(|hit| hit.body) {
                         continue;
                     }
-                    let place = mercator::centre(&image, i);
+                    let place = mercator::pixel_centre(&image, i);
                     let found = [1.0, 0.5].into_iter().any(|share| {
                         mercator::bodies_around(&scene, &view, place, share * reach_px).contains(&body)
                     });

@@ -30,7 +30,7 @@ const SIZE: [u32; 2] = [64, 48];
 const MESH: Method = Method::Mesh;
 
 fn scene() -> PreparedScene {
-    PreparedScene::moving(&[Body::new(Shape::Sphere { center: [0.0, 3.0, 1.6], radius: 0.5 }, 600.0)])
+    PreparedScene::moving(&[Body::new(Shape::Sphere { centre: [0.0, 3.0, 1.6], radius: 0.5 }, 600.0)])
 }
 
 fn view() -> View {

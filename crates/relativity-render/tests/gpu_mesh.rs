@@ -85,7 +85,7 @@ fn oblique_rides_keep_the_bound(renderers: &mut Renderers) {
 
 /// Bodies many times as long as they are far.
 fn long_bodies_keep_the_bound(renderers: &mut Renderers) {
-    let hedge = Shape::Box { center: [20.0, 1.6, -0.5], half: [45.0, 0.35, 0.5], turn: [0.0, 0.0, 0.0, 1.0] };
+    let hedge = Shape::Box { centre: [20.0, 1.6, -0.5], half: [45.0, 0.35, 0.5], turn: [0.0, 0.0, 0.0, 1.0] };
     let rail = Shape::Tube { from: [-40.0, 2.1, 1.1], to: [40.0, 2.1, 1.1], radius: 0.05 };
     let rod = Shape::Cylinder { from: [-13.0, 3.0, 0.3], to: [9.0, 3.0, 0.5], radius: 0.1 };
     let bodies = [hedge, rail, rod].map(|shape| Body::new(shape, 600.0));
@@ -105,11 +105,11 @@ fn long_bodies_keep_the_bound(renderers: &mut Renderers) {
 
 /// A ball sticks out of a tube, and a ring of a ball, by less than triangles are off their surfaces.
 fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
-    let center = FOLLOWED;
+    let centre = FOLLOWED;
     let shapes = [
         Shape::Tube { from: [-0.4, 3.0, 0.2], to: [-0.4, 3.0, 1.2], radius: 0.2 },
-        Shape::Sphere { center, radius: 0.2005 },
-        Shape::Ring { center, axis: [0.6, 0.0, 0.8], radius: 0.11, tube_radius: 0.091 },
+        Shape::Sphere { centre, radius: 0.2005 },
+        Shape::Ring { centre, axis: [0.6, 0.0, 0.8], radius: 0.11, tube_radius: 0.091 },
     ];
     for (seed, pair) in (0..).zip(shapes.windows(2)) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body::new(shape, 600.0)).collect();
@@ -262,10 +262,10 @@ fn place(view: &View, apparent: [f64; 3]) -> DVec2 {
     view.camera.pixel(apparent.into()).expect("in front of the camera").into()
 }
 
-/// Places up to `reach` from `center`.
-fn around(center: DVec2, reach: f64) -> impl Iterator<Item = DVec2> {
+/// Places up to `reach` from `centre`.
+fn around(centre: DVec2, reach: f64) -> impl Iterator<Item = DVec2> {
     let turned = |k: u32| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 32.0);
     [1.0, 0.6, 0.3]
         .into_iter()
-        .flat_map(move |share| (0..32).map(move |k| center + turned(k) * (share * reach)))
+        .flat_map(move |share| (0..32).map(move |k| centre + turned(k) * (share * reach)))
 }

@@ -100,7 +100,7 @@ fn hits_agree_with_the_reference(renderers: &mut Renderers) {
 fn no_ray_passes_between_triangles(renderers: &mut Renderers) {
     let (radius, rings) = (0.6, 40);
     let model = scene_of(ball_model(MIDDLE, radius, rings));
-    let inner = Shape::Sphere { center: MIDDLE, radius: 0.99 * radius };
+    let inner = Shape::Sphere { centre: MIDDLE, radius: 0.99 * radius };
     let inner = PreparedScene::moving(&[Body::white(inner)]);
     let mut inside = 0;
     for (speed, along) in speeds().into_iter().zip([0.0, 0.7, -1.3].into_iter().cycle()) {
@@ -304,7 +304,7 @@ fn edges_are_as_smooth_as_the_references(renderers: &mut Renderers) {
 /// A box of triangles with balls through its faces, in groups that fly apart: each pixel shows the body that
 /// the reference sees.
 fn models_are_told_from_other_bodies_by_depth(renderers: &mut Renderers) {
-    let ball = |center| Body::white(Shape::Sphere { center, radius: 0.4 });
+    let ball = |centre| Body::white(Shape::Sphere { centre, radius: 0.4 });
     let model = Body::of_triangles(box_model().prepared().expect("a model"));
     let (moving, resting) = ([model, ball([0.9, 3.4, 0.7])], [ball([0.2, 3.2, 0.4]), ball([-0.6, 4.0, 0.9])]);
     let scene = PreparedScene::new([

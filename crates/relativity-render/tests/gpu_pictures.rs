@@ -105,9 +105,9 @@ fn the_hatch_is_the_references(renderers: &mut Renderers) {
 fn contact_shadows_are_the_references(renderers: &mut Renderers) {
     let levels = documented(RENDERERS, "away from outlines colours are within ");
     let shapes = [
-        Shape::Ring { center: [-1.0, 3.2, -0.2], axis: [0.0, 1.0, 0.0], radius: 0.28, tube_radius: 0.02 },
-        Shape::Sphere { center: [-0.4, 3.6, -0.3], radius: 0.2 },
-        Shape::Box { center: [0.2, 2.9, -0.4], half: [0.2, 0.1, 0.1], turn: [0.0, 0.0, 0.0, 1.0] },
+        Shape::Ring { centre: [-1.0, 3.2, -0.2], axis: [0.0, 1.0, 0.0], radius: 0.28, tube_radius: 0.02 },
+        Shape::Sphere { centre: [-0.4, 3.6, -0.3], radius: 0.2 },
+        Shape::Box { centre: [0.2, 2.9, -0.4], half: [0.2, 0.1, 0.1], turn: [0.0, 0.0, 0.0, 1.0] },
     ];
     let scene = PreparedScene::moving(&shapes.map(|shape| Body::new(shape, 600.0)));
     let road = Appearance {
@@ -154,10 +154,10 @@ const PATTERNS: [Pattern; 7] = [
 /// Bodies of every shape, large enough to show a pattern.
 fn patterned_life() -> Vec<Body> {
     let shapes = [
-        Shape::Sphere { center: [-0.1, 3.1, 0.9], radius: 0.35 },
+        Shape::Sphere { centre: [-0.1, 3.1, 0.9], radius: 0.35 },
         Shape::Tube { from: [-1.2, 3.0, 0.2], to: [0.3, 3.3, 0.3], radius: 0.12 },
-        Shape::Ring { center: [-0.9, 3.2, 0.9], axis: [0.36, 0.48, 0.8], radius: 0.3, tube_radius: 0.1 },
-        Shape::Box { center: [0.1, 2.9, 0.1], half: [0.2, 0.25, 0.15], turn: [0.2, 0.4, 0.4, 0.8] },
+        Shape::Ring { centre: [-0.9, 3.2, 0.9], axis: [0.36, 0.48, 0.8], radius: 0.3, tube_radius: 0.1 },
+        Shape::Box { centre: [0.1, 2.9, 0.1], half: [0.2, 0.25, 0.15], turn: [0.2, 0.4, 0.4, 0.8] },
         Shape::Cylinder { from: [-1.0, 2.9, 0.5], to: [-0.6, 3.0, 0.5], radius: 0.2 },
     ];
     shapes.into_iter().map(|shape| Body::new(shape, 600.0)).collect()
@@ -261,8 +261,8 @@ fn long_bodies_narrow_into_the_distance(renderers: &mut Renderers) {
     let shapes = [
         Shape::Tube { from: [-1.0, 1.5, -1.0], to: [-1.0, 20.0, -1.0], radius: 0.05 },
         Shape::Cylinder { from: [1.0, 1.5, -1.0], to: [1.0, 20.0, -1.0], radius: 0.05 },
-        Shape::Box { center: [0.0, 11.0, -0.9], half: [0.04, 9.0, 0.05], turn: [0.0, 0.0, 0.0, 1.0] },
-        Shape::Ring { center: [0.0, 21.0, 1.5], axis: [0.0, 0.0, 1.0], radius: 19.0, tube_radius: 0.05 },
+        Shape::Box { centre: [0.0, 11.0, -0.9], half: [0.04, 9.0, 0.05], turn: [0.0, 0.0, 0.0, 1.0] },
+        Shape::Ring { centre: [0.0, 21.0, 1.5], axis: [0.0, 0.0, 1.0], radius: 19.0, tube_radius: 0.05 },
     ];
     let bodies = shapes.map(|shape| Body::new(shape, 600.0));
     let scene = PreparedScene::new([Group { motion: Motion::Own(Velocity::REST), bodies: &bodies }]);
@@ -344,7 +344,7 @@ fn hoops_are_seen_from_within(renderers: &mut Renderers) {
     let plain = Appearance { doppler_shift: false, intensity_exponent: None, ..Appearance::default() };
     let hoops = [0.0, 2.0, 4.0].map(|x| {
         let ring =
-            Shape::Ring { center: [x, 0.0, 0.0], axis: [1.0, 0.0, 0.0], radius: 3.0, tube_radius: 0.4 };
+            Shape::Ring { centre: [x, 0.0, 0.0], axis: [1.0, 0.0, 0.0], radius: 3.0, tube_radius: 0.4 };
         Body::new(ring, 600.0)
     });
     let scene = PreparedScene::new([Group { motion: Motion::Own(Velocity::REST), bodies: &hoops }]);
@@ -378,7 +378,7 @@ fn rides_are_the_references(renderers: &mut Renderers) {
         ..Appearance::default()
     };
     let lamp = Shape::Cylinder { from: [4.0, 3.0, -1.0], to: [4.0, 3.0, 2.0], radius: 0.3 };
-    let ball = Shape::Sphere { center: [2.0, 2.0, -0.6], radius: 0.4 };
+    let ball = Shape::Sphere { centre: [2.0, 2.0, -0.6], radius: 0.4 };
     // What rides along turns its wheels as far as the street goes by.
     let hub = [1.2, 0.3, -0.5];
     let spoke = Shape::Tube { from: [1.2, 0.3, -0.5], to: [1.2, 0.3, -0.1], radius: 0.08 };

@@ -313,11 +313,11 @@ fn bounds_never_clip(renderers: &mut Renderers) {
 
 /// Penrose: the outline's lines of sight n satisfy n.a = 1 for some vector a.
 fn spheres_keep_a_circular_outline(renderers: &mut Renderers) {
-    let center = [0.0, 3.0, 1.0];
-    let body = Body::new(Shape::Sphere { center, radius: 0.5 }, 600.0);
+    let centre = [0.0, 3.0, 1.0];
+    let body = Body::new(Shape::Sphere { centre, radius: 0.5 }, 600.0);
     for speed in [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1")) {
         for along in [-1.5, 0.0, 1.5] {
-            let view = view_following(center, speed, time_seen_at(center, &speed, along), 40.0);
+            let view = view_following(centre, speed, time_seen_at(centre, &speed, along), 40.0);
             let image = renderers
                 .hits(Method::Rays, &PreparedScene::moving(std::slice::from_ref(&body)), &view)
                 .expect("device works");
@@ -334,13 +334,13 @@ fn spheres_keep_a_circular_outline(renderers: &mut Renderers) {
 /// beta. At 0.8 c its front is sqrt(1 - beta^2) = 0.6 of its edge wide, and its rear, which no picture at
 /// rest would show, beta = 0.8.
 fn a_cube_far_abeam_looks_turned(renderers: &mut Renderers) {
-    let (center, speed) = ([0.0, 1000.0, 0.0], Speed::from_beta(0.8).expect("below 1"));
-    let cube = Shape::Box { center, half: [0.5; 3], turn: [0.0, 0.0, 0.0, 1.0] };
+    let (centre, speed) = ([0.0, 1000.0, 0.0], Speed::from_beta(0.8).expect("below 1"));
+    let cube = Shape::Box { centre, half: [0.5; 3], turn: [0.0, 0.0, 0.0, 1.0] };
     let scene = PreparedScene::moving(&[Body::new(cube, 600.0)]);
     let edge_px = 100.0;
-    let focal_length_px = edge_px * center[1];
+    let focal_length_px = edge_px * centre[1];
     let fov_degrees = 2.0 * f64::atan2(160.0, focal_length_px).to_degrees();
-    let view = view_following(center, speed, time_seen_at(center, &speed, 0.0), fov_degrees);
+    let view = view_following(centre, speed, time_seen_at(centre, &speed, 0.0), fov_degrees);
     for method in [Method::Reference, Method::Rays, Method::Mesh] {
         let image = renderers.hits(method, &scene, &view).expect("device works");
         let row: Vec<_> = image.hits[120 * 320..121 * 320].to_vec();

@@ -21,26 +21,26 @@ fn bodies(group: usize) -> Vec<Body> {
     let body = |i: u32| {
         let [a, b, c, d, e, f, g] = spread(5 * group as u32 + i + 3);
         let middle = DVec3::new(0.0, 3.0 + 0.4 * group as f64, 1.0);
-        let (center, turned) = (middle + 1.3 * centred([a, b, c]), centred([d, e, f]));
+        let (centre, turned) = (middle + 1.3 * centred([a, b, c]), centred([d, e, f]));
         let shape = match i {
-            0 => Shape::Sphere { center: center.to_array(), radius: 0.2 + 0.2 * g },
+            0 => Shape::Sphere { centre: centre.to_array(), radius: 0.2 + 0.2 * g },
             3 => Shape::Box {
-                center: center.to_array(),
+                centre: centre.to_array(),
                 half: [0.2 + 0.2 * g, 0.1 + 0.1 * a, 0.3],
                 turn: DQuat::from_rotation_arc(DVec3::X, turned.normalize()).to_array(),
             },
             4 => Shape::Cylinder {
-                from: (center - 0.3 * turned).to_array(),
-                to: (center + 0.3 * turned).to_array(),
+                from: (centre - 0.3 * turned).to_array(),
+                to: (centre + 0.3 * turned).to_array(),
                 radius: 0.1 + 0.2 * g,
             },
             1 => Shape::Tube {
-                from: (center - turned).to_array(),
-                to: (center + turned).to_array(),
+                from: (centre - turned).to_array(),
+                to: (centre + turned).to_array(),
                 radius: 0.05 + 0.05 * g,
             },
             _ => Shape::Ring {
-                center: center.to_array(),
+                centre: centre.to_array(),
                 axis: turned.normalize().to_array(),
                 radius: 0.5 + 0.3 * g,
                 tube_radius: 0.06,
@@ -231,16 +231,16 @@ fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
     let (forward, backward) = (bodies(0), bodies(0));
     let mirror = |body: &Body| {
         let shape = match body.shape {
-            Shape::Sphere { center, radius } => Shape::Sphere { center: mirrored(center), radius },
+            Shape::Sphere { centre, radius } => Shape::Sphere { centre: mirrored(centre), radius },
             Shape::Tube { from, to, radius } => {
                 Shape::Tube { from: mirrored(from), to: mirrored(to), radius }
             }
-            Shape::Ring { center, axis, radius, tube_radius } => {
-                Shape::Ring { center: mirrored(center), axis: mirrored(axis), radius, tube_radius }
+            Shape::Ring { centre, axis, radius, tube_radius } => {
+                Shape::Ring { centre: mirrored(centre), axis: mirrored(axis), radius, tube_radius }
             }
-            Shape::Box { center, half, turn: [x, y, z, w] } => {
+            Shape::Box { centre, half, turn: [x, y, z, w] } => {
                 // A mirror turns the other way about axes along it.
-                Shape::Box { center: mirrored(center), half, turn: [x, -y, -z, w] }
+                Shape::Box { centre: mirrored(centre), half, turn: [x, -y, -z, w] }
             }
             Shape::Cylinder { from, to, radius } => {
                 Shape::Cylinder { from: mirrored(from), to: mirrored(to), radius }

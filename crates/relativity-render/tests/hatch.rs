@@ -37,7 +37,7 @@ struct Shown {
 fn shown(nm: f64, width: u32, appearance: &Appearance) -> Shown {
     let view = view(width);
     let scene =
-        PreparedScene::moving(&[Body::new(Shape::Sphere { center: [0.6, 4.0, -1.2], radius: 0.7 }, nm)]);
+        PreparedScene::moving(&[Body::new(Shape::Sphere { centre: [0.6, 4.0, -1.2], radius: 0.7 }, nm)]);
     let road = PreparedScene::moving(&[]).picture(&view, appearance, 1);
     Shown { hits: scene.hit_image(&view), body: scene.picture(&view, appearance, 1), road }
 }

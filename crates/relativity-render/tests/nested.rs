@@ -7,7 +7,7 @@ use relativity_render::{Body, Camera, Gaze, Geometry, Method, PreparedScene, Ren
 /// A hollow about (0, 4, 0): three balls one in the other, the inner ones aside, and a rod and a box among
 /// them; beside them a ball that reaches into the largest, and one that is hidden by nothing.
 fn scene() -> PreparedScene {
-    let ball = |x, y, radius| Shape::Sphere { center: [x, y, 0.0], radius };
+    let ball = |x, y, radius| Shape::Sphere { centre: [x, y, 0.0], radius };
     let rod = Shape::Cylinder { from: [0.6, 4.2, 0.1], to: [0.6, 4.4, 0.5], radius: 0.05 };
     let shapes = [
         ball(0.1, 4.0, 0.3),
@@ -22,7 +22,7 @@ fn scene() -> PreparedScene {
 
 #[test]
 fn of_equal_bodies_in_one_place_the_first_is_seen() {
-    let shapes = [[0.0, 4.0, 0.0], [0.5, 4.0, 0.0]].map(|center| Shape::Sphere { center, radius: 0.4 });
+    let shapes = [[0.0, 4.0, 0.0], [0.5, 4.0, 0.0]].map(|centre| Shape::Sphere { centre, radius: 0.4 });
     let bodies = [shapes[1], shapes[0], shapes[1], shapes[0], shapes[0]].map(|shape| Body::new(shape, 550.0));
     let (scene, mut renderers) = (PreparedScene::moving(&bodies), Renderers::default());
     let camera = Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.2, [48, 36]);

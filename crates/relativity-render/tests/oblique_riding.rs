@@ -79,7 +79,7 @@ fn both_eyes_see_points_where_the_core_has_them() {
                         continue;
                     }
                     // A speck there is hit when its light left.
-                    let speck = Body::new(Shape::Sphere { center: rest.to_array(), radius: 1e-7 }, 600.0);
+                    let speck = Body::new(Shape::Sphere { centre: rest.to_array(), radius: 1e-7 }, 600.0);
                     let bodies = [speck];
                     let scene = PreparedScene::new([Group { motion: Motion::Own(group), bodies: &bodies }]);
                     let hit = scene.first_hit(&view, expected.normalize()).expect("it is there");
@@ -192,18 +192,18 @@ fn points_are_in_the_pictures_where_a_table_has_them() {
 fn bodies(turn: DQuat) -> Vec<Body> {
     let at = |place: [f64; 3]| (turn * DVec3::from(place)).to_array();
     let shapes = [
-        Shape::Sphere { center: at([4.0, 2.0, -0.6]), radius: 0.4 },
+        Shape::Sphere { centre: at([4.0, 2.0, -0.6]), radius: 0.4 },
         Shape::Tube { from: at([2.0, 3.0, -1.0]), to: at([2.5, 3.0, 2.0]), radius: 0.06 },
         Shape::Ring {
-            center: at([3.0, 2.5, 0.0]),
+            centre: at([3.0, 2.5, 0.0]),
             axis: at([0.0, 1.0, 0.0]),
             radius: 0.5,
             tube_radius: 0.05,
         },
-        Shape::Box { center: at([-4.0, 4.0, 0.5]), half: [0.5, 0.4, 1.0], turn: turn.to_array() },
+        Shape::Box { centre: at([-4.0, 4.0, 0.5]), half: [0.5, 0.4, 1.0], turn: turn.to_array() },
         Shape::Cylinder { from: at([-2.0, 3.0, -0.5]), to: at([-2.0, 3.0, 0.5]), radius: 0.3 },
-        Shape::Sphere { center: at([5.0, -1.0, 1.0]), radius: 0.7 },
-        Shape::Sphere { center: at([-1.0, -3.0, 2.0]), radius: 0.5 },
+        Shape::Sphere { centre: at([5.0, -1.0, 1.0]), radius: 0.7 },
+        Shape::Sphere { centre: at([-1.0, -3.0, 2.0]), radius: 0.5 },
         Shape::Tube { from: at([-3.0, -2.0, -1.0]), to: at([4.0, -4.0, -1.5]), radius: 0.2 },
     ];
     shapes.into_iter().map(|shape| Body::new(shape, 600.0)).collect()
@@ -277,11 +277,11 @@ fn found_on_ground(
     let slowed = 1.0 - speed.beta() * along;
     let n = ((line - direction * along) / speed.gamma() + direction * (along - speed.beta())) / slowed;
     let outside = |number: usize, distance: f64| {
-        let (center, radius, beta) = BALLS[number];
+        let (centre, radius, beta) = BALLS[number];
         let event = place + n * distance;
         let gamma = 1.0 / (1.0 - beta * beta).sqrt();
         let x = gamma * (event.x - beta * (time - distance));
-        DVec3 { x, ..event }.distance(center.into()) - radius
+        DVec3 { x, ..event }.distance(centre.into()) - radius
     };
     let mut nearest = None;
     for number in 0..BALLS.len() {
@@ -305,7 +305,7 @@ fn found_on_ground(
 fn a_search_on_the_ground_finds_the_same_bodies() {
     let bodies: Vec<_> = BALLS
         .iter()
-        .map(|&(center, radius, _)| [Body::new(Shape::Sphere { center, radius }, 600.0)])
+        .map(|&(centre, radius, _)| [Body::new(Shape::Sphere { centre, radius }, 600.0)])
         .collect();
     let groups = bodies.iter().zip(BALLS).map(|(bodies, (_, _, beta))| Group {
         motion: Motion::Own(Velocity::from_beta(beta).expect("a speed")),

@@ -50,7 +50,7 @@ fn picture(body: Body, view: &View) -> Picture {
 
 fn globe() -> Body {
     let pattern = Pattern::Graticule { step_degrees: 15.0 };
-    Body { pattern, ..Body::white(Shape::Sphere { center: [0.0, FAR, 0.0], radius: 1.0 }) }
+    Body { pattern, ..Body::white(Shape::Sphere { centre: [0.0, FAR, 0.0], radius: 1.0 }) }
 }
 
 /// Sum of the differences of two pictures, levels.
@@ -89,7 +89,7 @@ fn the_middle_of_a_globe_abeam_at_0_8_c_lies_53_1_degrees_from_what_faces_the_ey
 }
 
 fn die() -> Body {
-    let shape = Shape::Box { center: [0.0, FAR, 0.0], half: [0.5; 3], turn: [0.0, 0.0, 0.0, 1.0] };
+    let shape = Shape::Box { centre: [0.0, FAR, 0.0], half: [0.5; 3], turn: [0.0, 0.0, 0.0, 1.0] };
     Body { pattern: Pattern::Faces, ..Body::white(shape) }
 }
 
@@ -150,7 +150,7 @@ fn stripes_stand_at_their_spacing() {
     let spacing = 0.125;
     let (from, to, radius) = ([-1.0, 3.0, 0.0], [1.0, 3.0, 0.0], 0.05);
     let cuboid =
-        Shape::Box { center: [0.0, 3.0, 0.0], half: [1.0, radius, radius], turn: [0.0, 0.0, 0.0, 1.0] };
+        Shape::Box { centre: [0.0, 3.0, 0.0], half: [1.0, radius, radius], turn: [0.0, 0.0, 0.0, 1.0] };
     let mut view = abeam(0.0);
     view.camera.horizontal_fov = 0.8;
     view.camera.size = [601, 3];

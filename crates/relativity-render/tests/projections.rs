@@ -258,8 +258,8 @@ fn no_gaze_gives_a_picture_that_is_none() {
 fn bodies() -> Vec<Body> {
     let shapes = (0..40).map(|i| {
         let [x, y, z, radius] = spread(i);
-        let center = [between(-6.0, 6.0, x), between(0.5, 6.0, y), between(-4.0, 4.0, z)];
-        Shape::Sphere { center, radius: between(0.05, 0.6, radius) }
+        let centre = [between(-6.0, 6.0, x), between(0.5, 6.0, y), between(-4.0, 4.0, z)];
+        Shape::Sphere { centre, radius: between(0.05, 0.6, radius) }
     });
     shapes.map(|shape| Body::new(shape, 600.0)).collect()
 }

@@ -19,7 +19,7 @@ const BLANK: Blank = Blank { background: [0.0; 3], outside: [0.5; 3] };
 fn wheel() -> PreparedScene {
     let spin = Spin { hub: HUB.to_array(), radius: RADIUS, turning: Turning::Rolling };
     let axis = [0.0, 1.0, 0.0];
-    let tyre = Shape::Ring { center: HUB.to_array(), axis, radius: 0.5, tube_radius: 0.1 };
+    let tyre = Shape::Ring { centre: HUB.to_array(), axis, radius: 0.5, tube_radius: 0.1 };
     let spoke = |i: i32| {
         let (sine, cosine) = (TAU * f64::from(i) / 10.0).sin_cos();
         let to = HUB + 0.45 * DVec3::new(cosine, 0.0, sine);

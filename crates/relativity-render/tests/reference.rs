@@ -21,27 +21,27 @@ fn view(beta: f64, observation_time: f64, towards: [f64; 3], fov_degrees: f64) -
 fn bodies() -> Vec<Body> {
     let body = |i: u32| {
         let [a, b, c, d, e, f, g] = spread(i + 7);
-        let center = (DVec3::new(0.0, 3.0, 1.0) + 1.2 * centred([a, b, c])).to_array();
+        let centre = (DVec3::new(0.0, 3.0, 1.0) + 1.2 * centred([a, b, c])).to_array();
         let turned = centred([d, e, f]);
         let shape = match i % 5 {
-            0 => Shape::Sphere { center, radius: 0.15 + 0.3 * g },
+            0 => Shape::Sphere { centre, radius: 0.15 + 0.3 * g },
             3 => Shape::Box {
-                center,
+                centre,
                 half: [0.1 + 0.3 * g, 0.1 + 0.1 * a, 0.2],
                 turn: DQuat::from_rotation_arc(DVec3::X, turned.normalize()).to_array(),
             },
             4 => Shape::Cylinder {
-                from: center,
-                to: (DVec3::from(center) + 0.5 * turned).to_array(),
+                from: centre,
+                to: (DVec3::from(centre) + 0.5 * turned).to_array(),
                 radius: 0.1 + 0.2 * g,
             },
             1 => Shape::Tube {
-                from: center,
-                to: (DVec3::from(center) + turned).to_array(),
+                from: centre,
+                to: (DVec3::from(centre) + turned).to_array(),
                 radius: 0.03 + 0.1 * g,
             },
             _ => Shape::Ring {
-                center,
+                centre,
                 axis: turned.normalize().to_array(),
                 radius: 0.4 + 0.4 * g,
                 tube_radius: 0.05 + 0.05 * a,
@@ -397,7 +397,7 @@ fn circle_residual_px(outline: &[DVec3], focal_length_px: f64) -> f64 {
 
 #[test]
 fn spheres_keep_a_circular_outline() {
-    let ball = Shape::Sphere { center: [0.0, 3.0, 1.0], radius: 0.8 };
+    let ball = Shape::Sphere { centre: [0.0, 3.0, 1.0], radius: 0.8 };
     let scene = PreparedScene::moving(&[Body::new(ball, 600.0)]);
     for view in views() {
         let outline = outline(&scene, &view);
@@ -415,7 +415,7 @@ fn spheres_keep_a_circular_outline() {
 
 #[test]
 fn a_contracted_sphere_does_not_keep_a_circular_outline() {
-    let ball = Shape::Sphere { center: [0.0, 3.0, 1.0], radius: 0.8 };
+    let ball = Shape::Sphere { centre: [0.0, 3.0, 1.0], radius: 0.8 };
     let scene = PreparedScene::moving(&[Body::new(ball, 600.0)]);
     let view = View { geometry: Geometry::Contracted, ..view(0.9, 0.0, [0.0, 3.0, 1.0], 70.0) };
     assert!(circle_residual_px(&outline(&scene, &view), view.camera.focal_length_px()) > 2.0);

@@ -10,23 +10,23 @@ use crate::support::{centred, documented, signed_distance, spread};
 /// Shapes about 1 in size, thin and thick, anywhere in the cube [-1, 1]^3.
 fn shape(i: u32) -> Shape {
     let [a, b, c, d, e, f, g, h] = spread(i);
-    let center = centred([a, b, c]);
+    let centre = centred([a, b, c]);
     let thin = 10f64.powf(-3.0 * g);
     match i % 5 {
-        0 => Shape::Sphere { center: center.into(), radius: thin },
+        0 => Shape::Sphere { centre: centre.into(), radius: thin },
         3 => Shape::Box {
-            center: center.into(),
+            centre: centre.into(),
             half: [0.2 + a, 0.2 + h, (0.2 + d) * thin],
             turn: DQuat::from_rotation_arc(DVec3::X, centred([d, e, f]).normalize()).to_array(),
         },
         4 => Shape::Cylinder {
-            from: center.into(),
-            to: (center + (centred([d, e, f]) - center) * if h < 0.5 { thin } else { 1.0 }).into(),
+            from: centre.into(),
+            to: (centre + (centred([d, e, f]) - centre) * if h < 0.5 { thin } else { 1.0 }).into(),
             radius: 0.5 * if h < 0.5 { 1.0 } else { thin },
         },
-        1 => Shape::Tube { from: center.into(), to: centred([d, e, f]).into(), radius: 0.5 * thin },
+        1 => Shape::Tube { from: centre.into(), to: centred([d, e, f]).into(), radius: 0.5 * thin },
         _ => Shape::Ring {
-            center: center.into(),
+            centre: centre.into(),
             axis: centred([d, e, f]).normalize().into(),
             radius: 0.2 + h,
             tube_radius: 0.19 * thin,
@@ -51,28 +51,28 @@ fn surface_point(shape: &Shape, [u, v]: [f64; 2]) -> (DVec3, DVec3) {
         first * angle.cos() + second * angle.sin()
     };
     let (skeleton, normal, radius) = match *shape {
-        Shape::Sphere { center, radius } => {
+        Shape::Sphere { centre, radius } => {
             let z = 2.0 * v - 1.0;
-            (center.into(), turn(DVec3::Z, u) * (1.0 - z * z).sqrt() + DVec3::Z * z, radius)
+            (centre.into(), turn(DVec3::Z, u) * (1.0 - z * z).sqrt() + DVec3::Z * z, radius)
         }
         Shape::Tube { from, to, radius } => {
             let (from, to) = (DVec3::from(from), DVec3::from(to));
             (from.lerp(to, v), turn(to - from, u), radius)
         }
-        Shape::Ring { center, axis, radius, tube_radius } => {
+        Shape::Ring { centre, axis, radius, tube_radius } => {
             let outwards = turn(axis.into(), u);
             let angle = std::f64::consts::TAU * v;
             let normal = outwards * angle.cos() + DVec3::from(axis) * angle.sin();
-            (DVec3::from(center) + outwards * radius, normal, tube_radius)
+            (DVec3::from(centre) + outwards * radius, normal, tube_radius)
         }
-        Shape::Box { center, half, turn } => {
+        Shape::Box { centre, half, turn } => {
             let axes = glam::DMat3::from_quat(DQuat::from_array(turn));
             let face = (6.0 * u) as usize;
             let side = if face.is_multiple_of(2) { 1.0 } else { -1.0 };
             let mut place = DVec3::new(2.0 * v - 1.0, 12.0 * u.fract() % 2.0 - 1.0, 1.0 - 2.0 * v);
             place[face / 2] = 0.0;
             let normal = axes.col(face / 2) * side;
-            (DVec3::from(center) + axes * (place * DVec3::from(half)), normal, half[face / 2])
+            (DVec3::from(centre) + axes * (place * DVec3::from(half)), normal, half[face / 2])
         }
         Shape::Cylinder { from, to, radius } => {
             let (from, to) = (DVec3::from(from), DVec3::from(to));
@@ -181,23 +181,23 @@ fn normals_point_along_the_gradient_of_the_signed_distance() {
 #[test]
 fn an_aperture_inside_a_body_does_not_see_its_inner_surface() {
     let inside = [
-        (Shape::Sphere { center: [0.0; 3], radius: 1.0 }, DVec3::ZERO),
+        (Shape::Sphere { centre: [0.0; 3], radius: 1.0 }, DVec3::ZERO),
         (Shape::Tube { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 0.5 }, DVec3::X),
-        (Shape::Box { center: [0.0; 3], half: [1.0, 2.0, 3.0], turn: [0.0, 0.0, 0.0, 1.0] }, DVec3::Y),
+        (Shape::Box { centre: [0.0; 3], half: [1.0, 2.0, 3.0], turn: [0.0, 0.0, 0.0, 1.0] }, DVec3::Y),
         (Shape::Cylinder { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 0.5 }, DVec3::ZERO),
     ];
     for (shape, origin) in inside {
         assert_eq!(Solid::new(&shape).entry(&Ray::new(origin, DVec3::X)), None);
     }
     // From inside a ring's tube the far side of the ring is seen, its own skin is not.
-    let ring = Shape::Ring { center: [0.0; 3], axis: [0.0, 0.0, 1.0], radius: 1.0, tube_radius: 0.25 };
+    let ring = Shape::Ring { centre: [0.0; 3], axis: [0.0, 0.0, 1.0], radius: 1.0, tube_radius: 0.25 };
     let entry = Solid::new(&ring).entry(&Ray::new(DVec3::X, DVec3::NEG_X)).expect("the far side");
     assert!((entry.distance - 1.75).abs() < 1e-12);
 }
 
 #[test]
 fn rays_in_the_planes_of_faces_and_along_axes_are_told_from_those_beside() {
-    let cube = Shape::Box { center: [0.0; 3], half: [1.0; 3], turn: [0.0, 0.0, 0.0, 1.0] };
+    let cube = Shape::Box { centre: [0.0; 3], half: [1.0; 3], turn: [0.0, 0.0, 0.0, 1.0] };
     let rod = Shape::Cylinder { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 1.0 };
     for (shape, off) in [(cube, DVec3::Z), (cube, DVec3::new(0.0, 1.0, 1.0)), (rod, DVec3::Z)] {
         for scale in [0.0, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 2.0] {

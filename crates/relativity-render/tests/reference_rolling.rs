@@ -28,7 +28,7 @@ fn spoke(hub: DVec3, angle: f64, radius: f64) -> Body {
 fn tyre(hub: DVec3) -> Body {
     let tube_radius = 0.03;
     let axis = [0.0, 1.0, 0.0];
-    let shape = Shape::Ring { center: hub.to_array(), axis, radius: RADIUS - tube_radius, tube_radius };
+    let shape = Shape::Ring { centre: hub.to_array(), axis, radius: RADIUS - tube_radius, tube_radius };
     Body::new(shape, 600.0).turning(spin(hub))
 }
 

@@ -43,9 +43,9 @@ impl Case {
             hub + DVec3::new(radius * rho * cosine, y, radius * rho * sine)
         };
         let shape = match i % 8 {
-            0 => Shape::Sphere { center: place(0.9 * g, h, 0.05).into(), radius: thin },
+            0 => Shape::Sphere { centre: place(0.9 * g, h, 0.05).into(), radius: thin },
             1 => Shape::Box {
-                center: place(0.7 * g, h, 0.0).into(),
+                centre: place(0.7 * g, h, 0.0).into(),
                 half: [0.2 * radius, 0.1 * radius * k, thin],
                 turn: DQuat::from_rotation_arc(DVec3::X, centred([g, h, k]).normalize()).to_array(),
             },
@@ -55,7 +55,7 @@ impl Case {
                 radius: thin,
             },
             3 => Shape::Ring {
-                center: place(0.5 * g, h, 0.0).into(),
+                centre: place(0.5 * g, h, 0.0).into(),
                 axis: centred([g, h, k]).normalize().into(),
                 radius: 0.4 * radius,
                 tube_radius: (2.0 * thin).min(0.3 * radius),
@@ -86,8 +86,8 @@ impl Case {
             Shape::Tube { from, to, .. } | Shape::Cylinder { from, to, .. } => {
                 DVec3::from(from).lerp(to.into(), m)
             }
-            Shape::Sphere { center, .. } | Shape::Box { center, .. } | Shape::Ring { center, .. } => {
-                center.into()
+            Shape::Sphere { centre, .. } | Shape::Box { centre, .. } | Shape::Ring { centre, .. } => {
+                centre.into()
             }
         };
         let size = match i % 8 {
@@ -246,16 +246,16 @@ fn wheel(hub: DVec3, radius: f64) -> Vec<Body> {
     let axis = [0.0, 1.0, 0.0];
     let turn = DQuat::from_rotation_x(0.4).to_array();
     let others = [
-        Shape::Ring { center: hub.to_array(), axis, radius: 0.96 * radius, tube_radius: 0.04 * radius },
+        Shape::Ring { centre: hub.to_array(), axis, radius: 0.96 * radius, tube_radius: 0.04 * radius },
         Shape::Tube { from: place(0.0, 0.0, -0.1), to: place(0.0, 0.0, 0.1), radius: 0.06 * radius },
         Shape::Tube { from: place(0.92, 0.1, 0.0), to: place(0.8, 0.1, 0.0), radius: 0.01 * radius },
         Shape::Box {
-            center: place(0.6, 1.0, 0.05),
+            centre: place(0.6, 1.0, 0.05),
             half: [0.05 * radius, 0.02 * radius, 0.04 * radius],
             turn,
         },
-        Shape::Sphere { center: place(0.5, 3.0, 0.0), radius: 0.05 * radius },
-        Shape::Ring { center: place(0.5, 4.0, 0.0), axis, radius: 0.2 * radius, tube_radius: 0.02 * radius },
+        Shape::Sphere { centre: place(0.5, 3.0, 0.0), radius: 0.05 * radius },
+        Shape::Ring { centre: place(0.5, 4.0, 0.0), axis, radius: 0.2 * radius, tube_radius: 0.02 * radius },
     ];
     let shapes = (0..24).map(spoke).chain(others);
     shapes.map(|shape| Body::new(shape, 600.0).turning(spin)).collect()

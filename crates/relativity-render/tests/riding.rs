@@ -20,10 +20,10 @@ fn resting(bodies: &[Body], motion: Motion) -> PreparedScene {
 /// Bodies of several shapes ahead of the origin and beside it, on a ground at z = -1.
 fn street() -> Vec<Body> {
     let shapes = [
-        Shape::Sphere { center: [4.0, 2.0, -0.6], radius: 0.4 },
+        Shape::Sphere { centre: [4.0, 2.0, -0.6], radius: 0.4 },
         Shape::Tube { from: [2.0, 3.0, -1.0], to: [2.0, 3.0, 2.0], radius: 0.06 },
-        Shape::Ring { center: [3.0, 2.5, 0.0], axis: [0.0, 1.0, 0.0], radius: 0.5, tube_radius: 0.05 },
-        Shape::Box { center: [6.0, 4.0, 0.0], half: [0.5, 0.4, 1.0], turn: [0.0, 0.0, 0.0, 1.0] },
+        Shape::Ring { centre: [3.0, 2.5, 0.0], axis: [0.0, 1.0, 0.0], radius: 0.5, tube_radius: 0.05 },
+        Shape::Box { centre: [6.0, 4.0, 0.0], half: [0.5, 0.4, 1.0], turn: [0.0, 0.0, 0.0, 1.0] },
         Shape::Cylinder { from: [-2.0, 3.0, -0.5], to: [-2.0, 3.0, 0.5], radius: 0.3 },
     ];
     shapes.into_iter().map(|shape| Body::new(shape, 600.0)).collect()
@@ -115,7 +115,7 @@ fn both_eyes_of_a_rider_see_points_where_the_core_has_them() {
                 if spin.is_none() {
                     assert!((ray.doppler_factor / sighting.doppler_factor - 1.0).abs() < 1e-9);
                     // A speck there is hit when its light left.
-                    let speck = Shape::Sphere { center: rest.to_array(), radius: 1e-7 };
+                    let speck = Shape::Sphere { centre: rest.to_array(), radius: 1e-7 };
                     let scene = resting(&[Body::new(speck, 600.0)], Motion::Own(group));
                     let hit = scene.first_hit(&view, expected.normalize()).expect("it is there");
                     assert!((hit.emission_time - sighting.retarded_time).abs() < 1e-5, "{hit:?}");

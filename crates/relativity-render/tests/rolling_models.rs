@@ -132,7 +132,7 @@ fn a_wheel_of_triangles_is_the_exact_wheel_within_their_sagitta() {
     // Towards the axle chords lie outside, but for the rounding to f32.
     let beyond = (radius - tube) * (1.0 - (0.5 * turn).cos()) + 1e-6;
     let exact = |tube_radius| {
-        let ring = Shape::Ring { center: HUB, axis: [0.0, 1.0, 0.0], radius, tube_radius };
+        let ring = Shape::Ring { centre: HUB, axis: [0.0, 1.0, 0.0], radius, tube_radius };
         PreparedScene::moving(&[Body::white(ring).turning(spin(radius + tube))])
     };
     let model = rolling(wheel_model(radius, tube, around, sides, 0), radius + tube);

@@ -28,7 +28,7 @@ fn view(beta: f64, time: f64, azimuth: f64) -> View {
 
 fn dice() -> Vec<Body> {
     let die = |x: f64, nm: f64| {
-        Body::new(Shape::Box { center: [x, 3.0, 0.0], half: [0.5; 3], turn: [0.1, 0.2, 0.3, 0.9] }, nm)
+        Body::new(Shape::Box { centre: [x, 3.0, 0.0], half: [0.5; 3], turn: [0.1, 0.2, 0.3, 0.9] }, nm)
     };
     vec![die(-1.2, 620.0), die(0.3, 480.0)]
 }
@@ -54,7 +54,7 @@ fn at_rest_both_pictures_are_the_same() {
 
 #[test]
 fn what_rests_on_the_street_is_the_same_beside_what_moves() {
-    let far = [Body::new(Shape::Sphere { center: [0.0, 60.0, 40.0], radius: 1.0 }, 600.0)];
+    let far = [Body::new(Shape::Sphere { centre: [0.0, 60.0, 40.0], radius: 1.0 }, 600.0)];
     let passing = Group { motion: Motion::Scene, bodies: &far };
     let scene = PreparedScene::new([passing, Group { motion: Motion::Own(Velocity::REST), bodies: &dice() }]);
     let [own, street] = both(&scene, &view(0.9, 0.0, 1.7));
@@ -64,7 +64,7 @@ fn what_rests_on_the_street_is_the_same_beside_what_moves() {
 /// A face across the motion, seen from ahead and from behind.
 #[test]
 fn the_front_is_lit_blue_and_bright_and_the_rear_red_and_dim() {
-    let shape = Shape::Box { center: [0.0; 3], half: [0.5, 2.0, 2.0], turn: [0.0, 0.0, 0.0, 1.0] };
+    let shape = Shape::Box { centre: [0.0; 3], half: [0.5, 2.0, 2.0], turn: [0.0, 0.0, 0.0, 1.0] };
     let mut body = Body::new(shape, 600.0);
     body.emission = relativity_render::Emission::WHITE;
     let scene = PreparedScene::moving(&[body]);
@@ -106,7 +106,7 @@ fn a_face_that_rides_along_reflects_the_crowded_sky_ahead() {
     const STEPS: u32 = 20_000;
     for (beta, looks_ahead) in [(0.5, true), (0.8, true), (0.5, false)] {
         let x = if looks_ahead { -3.0 } else { 3.0 };
-        let face = Shape::Box { center: [x, 0.0, 0.0], half: [0.5, 2.0, 2.0], turn: [0.0, 0.0, 0.0, 1.0] };
+        let face = Shape::Box { centre: [x, 0.0, 0.0], half: [0.5, 2.0, 2.0], turn: [0.0, 0.0, 0.0, 1.0] };
         let mut body = Body::new(face, 600.0);
         body.emission = relativity_render::Emission::WHITE;
         let scene = PreparedScene::new([Group { motion: Motion::WithEyes, bodies: &[body] }]);

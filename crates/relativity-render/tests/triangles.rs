@@ -47,11 +47,11 @@ fn a_box_of_twelve_triangles_is_the_box() {
 /// sagitta of the triangles, and none that meets it misses the ball.
 #[test]
 fn a_ball_of_triangles_is_a_ball_within_their_sagitta() {
-    let (center, radius, rings) = ([0.0, 4.0, 0.5], 0.6, 24);
+    let (centre, radius, rings) = ([0.0, 4.0, 0.5], 0.6, 24);
     // The middle of a square's diagonal is farthest inside.
     let sagitta = radius * (1.0 - (0.5 * 2f64.sqrt() * PI / f64::from(rings)).cos());
-    let ball = |radius| PreparedScene::moving(&[Body::white(Shape::Sphere { center, radius })]);
-    let model = scene_of(ball_model(center, radius, rings));
+    let ball = |radius| PreparedScene::moving(&[Body::white(Shape::Sphere { centre, radius })]);
+    let model = scene_of(ball_model(centre, radius, rings));
     for beta in [0.0, 0.8, 0.99] {
         let view = view(beta, Geometry::Seen, [96, 72]);
         let [outer, inner] = [ball(radius), ball(radius - sagitta)].map(|scene| scene.hit_image(&view).hits);
@@ -60,7 +60,7 @@ fn a_ball_of_triangles_is_a_ball_within_their_sagitta() {
         for ((outer, inner), found) in outer.iter().zip(&inner).zip(&found) {
             assert!(found.is_none() || outer.is_some(), "beyond the ball at {beta}");
             assert!(found.is_some() || inner.is_none(), "a hole at {beta}");
-            let off = found.map(|hit| radius - hit.rest_position.distance(center.into()));
+            let off = found.map(|hit| radius - hit.rest_position.distance(centre.into()));
             assert!(off.is_none_or(|off| off > -1e-7 && off < sagitta + 1e-7), "{off:?} of {sagitta}");
         }
     }
@@ -289,7 +289,7 @@ fn a_model_of_a_ball_turns_away_where_a_ball_does() {
     let model = ball_model([0.0; 3], 1.0, 120).prepared().expect("a model");
     let model = Body::of_triangles(model).moved(offset);
     assert!(model.strokes().is_empty());
-    let ball = Shape::Sphere { center: offset, radius: 1.0 };
+    let ball = Shape::Sphere { centre: offset, radius: 1.0 };
     for eye in [[1.0, -0.5, 0.5], [-2.0, -2.0, 3.5]].map(DVec3::from) {
         let onlooker = Onlooker::At(eye);
         let around = ball.silhouette(|_| onlooker).expect("a ball has one");

@@ -101,7 +101,7 @@ fn in_its_own_frame_a_wheel_is_round_and_even() {
     let places = MapInstant::new(&settings, 1.5).places(scene.groups[0].motion);
     for body in &scene.bodies {
         let rest = DVec3::from(match body.shape {
-            relativity_render::Shape::Ring { center: [x, y, z], radius, .. } => [x + radius, y, z],
+            relativity_render::Shape::Ring { centre: [x, y, z], radius, .. } => [x + radius, y, z],
             relativity_render::Shape::Tube { to, .. } => to,
             _ => panic!("no part of a wheel"),
         });

@@ -49,7 +49,7 @@ fn the_cyclists_wheels_are_those_of_the_drawing() {
     assert_eq!(cyclist.names[..4], ["front tyre", "front rim", "front hub", "front wheel's spoke 1"]);
     assert_eq!([&cyclist.names[17], &cyclist.names[34]], ["rear tyre", "top tube"]);
     let tyre = Shape::Ring {
-        center: [-0.525, 3.0, 2.0],
+        centre: [-0.525, 3.0, 2.0],
         axis: [0.0, 1.0, 0.0],
         radius: 0.525 - 0.032,
         tube_radius: 0.032,

@@ -134,15 +134,15 @@ impl Mercator {
             .map(|turn| turn / self.px_per_unit)
     }
 
-    /// The smallest rectangle around a ball at rest with the camera, at `center` from there; `None` where the
+    /// The smallest rectangle around a ball at rest with the camera, at `centre` from there; `None` where the
     /// ball is cut by the baseline, and reaches infinitely far aside.
     ///
     /// With k = `radius`/rho the outline is 2 artanh k wide and 2 arcsin k high, wherever along the baseline
     /// the ball is.
     #[must_use]
-    pub fn around_ball(&self, center: DVec3, radius: f64) -> Option<Patch> {
+    pub fn around_ball(&self, centre: DVec3, radius: f64) -> Option<Patch> {
         let Axes { right, up, forward } = self.axes;
-        let (ahead, rise) = (center.dot(forward), center.dot(up));
+        let (ahead, rise) = (centre.dot(forward), centre.dot(up));
         let rho = hypot(ahead, rise);
         let k = radius / rho;
         if k >= 1.0 || rho == 0.0 {
@@ -150,7 +150,7 @@ impl Mercator {
         }
         // The tangent from the baseline, rho sqrt(1 - k^2).
         let tangent = rho * ((1.0 - k) * (1.0 + k)).sqrt();
-        let middle = DVec2::new(asinh(center.dot(right) / tangent), atan2(rise, ahead));
+        let middle = DVec2::new(asinh(centre.dot(right) / tangent), atan2(rise, ahead));
         middle.is_finite().then(|| Patch { middle, half: DVec2::new(atanh(k), asin(k)) })
     }
 }

@@ -87,7 +87,7 @@ struct ShearedOutline {
 /// A ball, from the aperture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ball {
-    pub center: DVec3,
+    pub centre: DVec3,
     pub radius: f64,
 }
 
@@ -108,7 +108,7 @@ impl Ball {
     fn is_in_conformal(&self, mercator: &Mercator, size: [u32; 2]) -> bool {
         let [right, bottom] = size.map(f64::from);
         let [low, high] = [[0.0, bottom], [right, 0.0]].map(|place| mercator.coordinates_at(place));
-        mercator.around_ball(self.center, self.radius).is_none_or(|patch| patch.meets(low, high))
+        mercator.around_ball(self.centre, self.radius).is_none_or(|patch| patch.meets(low, high))
     }
 
     fn is_in_flat(&self, camera: &Camera) -> bool {
@@ -122,11 +122,11 @@ impl Ball {
             // them.
             [side, -side].into_iter().all(|side| {
                 let inwards = forward * half - side;
-                self.center.dot(inwards) >= -self.radius * inwards.length()
+                self.centre.dot(inwards) >= -self.radius * inwards.length()
             })
         };
         let is_in_picture = || inside(right, half_width) && inside(up, half_height);
-        self.center.dot(forward) > -self.radius && (!is_flat || is_in_picture())
+        self.centre.dot(forward) > -self.radius && (!is_flat || is_in_picture())
     }
 }
 

@@ -217,7 +217,7 @@ impl PreparedScene {
     /// The mark of the pattern at `hit`, on average over what is `covered`: the factor of its light.
     pub(crate) fn mark(&self, hit: &Hit, covered: SampleShifts) -> f64 {
         let body = &self.bodies()[hit.body];
-        let place = hit.material_position - self.solid(hit.body).center();
+        let place = hit.material_position - self.solid(hit.body).centre();
         let mark =
             |marking: &Marking| marking.mark(place, hit.material_normal(), covered.turned_back(hit.turn));
         body.marking.as_deref().map_or(1.0, mark)

@@ -32,7 +32,7 @@ impl HitNumbers {
             let solid = scene.solid(body);
             let from = match (prepared.spin, group_view.turns(prepared)) {
                 (Some(spin), Turns::About) => DVec3::from(spin.hub),
-                _ => solid.center(),
+                _ => solid.centre(),
             };
             let rest_position = from + DVec3::new(x, y, z);
             let Turned { proper_time, turn, material_position, .. } =

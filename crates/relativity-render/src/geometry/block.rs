@@ -9,7 +9,7 @@ use crate::view::group_view::GroupView;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {
     /// Centre of the block.
-    pub center: DVec3,
+    pub centre: DVec3,
     /// From there to the middles of three faces, at right angles.
     pub half_axes: [DVec3; 3],
     /// The least radius of the shape in it.
@@ -18,16 +18,16 @@ pub struct Block {
 
 impl Block {
     /// The block with half these sides along its own axes, which have this `turn`.
-    pub fn new(center: DVec3, half: DVec3, turn: DQuat) -> Self {
+    pub fn new(centre: DVec3, half: DVec3, turn: DQuat) -> Self {
         let axes = DMat3::from_quat(turn);
         let half_axes = [axes.x_axis * half.x, axes.y_axis * half.y, axes.z_axis * half.z];
-        Self { center, half_axes, radius: half.min_element() }
+        Self { centre, half_axes, radius: half.min_element() }
     }
 
     /// From the camera's event, in the axes along the group's motion.
     pub fn along_motion_from_camera(&self, view: &GroupView) -> Self {
         Self {
-            center: view.along_motion_from_camera(self.center),
+            centre: view.along_motion_from_camera(self.centre),
             half_axes: self.half_axes.map(|axis| view.velocity.motion_from_group(axis)),
             ..*self
         }
@@ -39,7 +39,7 @@ impl Block {
         let mut half = *self;
         half.half_axes[squares.max_position()] *= 0.5;
         let step = half.half_axes[squares.max_position()];
-        [-step, step].map(|step| Self { center: self.center + step, ..half })
+        [-step, step].map(|step| Self { centre: self.centre + step, ..half })
     }
 
     /// Returns the corners of the block.
@@ -47,7 +47,7 @@ impl Block {
         let [x, y, z] = self.half_axes;
         std::array::from_fn(|i| {
             let side = |bit: usize| if i & bit == 0 { -1.0 } else { 1.0 };
-            self.center + x * side(1) + y * side(2) + z * side(4)
+            self.centre + x * side(1) + y * side(2) + z * side(4)
         })
     }
 
@@ -63,7 +63,7 @@ impl Block {
     /// The ball around it.
     pub fn ball_around(&self) -> Capsule {
         let radius = self.half_axes.iter().map(|axis| axis.length_squared()).sum::<f64>().sqrt();
-        Capsule::ball(self.center, radius)
+        Capsule::ball(self.centre, radius)
     }
 
     /// Returns the distance of the block from the origin; 0 where it contains it.
@@ -73,9 +73,9 @@ impl Block {
 
     /// Returns the distance of the block from a place; 0 where it contains that.
     pub fn distance_from(&self, place: DVec3) -> f64 {
-        let center = self.center - place;
-        let nearest = self.half_axes.iter().fold(center, |from_place, axis| {
-            let along = -center.dot(*axis) / axis.length_squared();
+        let centre = self.centre - place;
+        let nearest = self.half_axes.iter().fold(centre, |from_place, axis| {
+            let along = -centre.dot(*axis) / axis.length_squared();
             from_place + *axis * along.clamp(-1.0, 1.0)
         });
         nearest.length()

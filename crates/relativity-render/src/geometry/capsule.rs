@@ -17,8 +17,8 @@ pub struct Capsule {
 
 impl Capsule {
     /// Returns a ball.
-    pub const fn ball(center: DVec3, radius: f64) -> Self {
-        Self { from: center, to: center, radius }
+    pub const fn ball(centre: DVec3, radius: f64) -> Self {
+        Self { from: centre, to: centre, radius }
     }
 
     /// A ball around some, of which there is at least one.
@@ -26,10 +26,10 @@ impl Capsule {
         let ends = || all.iter().flat_map(|capsule| [capsule.from, capsule.to]);
         let (low, high) = ends()
             .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), end| (low.min(end), high.max(end)));
-        let center = 0.5 * (low + high);
+        let centre = 0.5 * (low + high);
         let reach =
-            |capsule: &Self| capsule.from.distance(center).max(capsule.to.distance(center)) + capsule.radius;
-        Self::ball(center, all.iter().map(reach).fold(0.0, f64::max))
+            |capsule: &Self| capsule.from.distance(centre).max(capsule.to.distance(centre)) + capsule.radius;
+        Self::ball(centre, all.iter().map(reach).fold(0.0, f64::max))
     }
 
     /// From the camera's event, in the axes along the group's motion.

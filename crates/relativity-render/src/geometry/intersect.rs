@@ -26,7 +26,7 @@ pub struct Entry {
 /// A shape prepared for ray tests.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solid {
-    pub(crate) center: DVec3,
+    pub(crate) centre: DVec3,
     bounding_radius: f64,
     pub(crate) form: PreparedShape,
 }
@@ -35,19 +35,19 @@ impl Solid {
     /// Prepares `shape` for rays.
     #[must_use]
     pub fn new(shape: &Shape) -> Self {
-        let (center, form) = shape.about_centre();
-        Self { center, bounding_radius: form.answers().bounding_radius(), form }
+        let (centre, form) = shape.about_centre();
+        Self { centre, bounding_radius: form.answers().bounding_radius(), form }
     }
 
     /// Centre of the shape.
     #[must_use]
-    pub fn center(&self) -> DVec3 {
-        self.center
+    pub fn centre(&self) -> DVec3 {
+        self.centre
     }
 
     /// Outward unit normal at a `position` on the surface.
     pub(crate) fn normal(&self, position: DVec3) -> DVec3 {
-        self.form.answers().normal(position - self.center)
+        self.form.answers().normal(position - self.centre)
     }
 
     /// Returns a vector along the axes of a box in those of the rest frame.
@@ -67,13 +67,13 @@ impl Solid {
 
     /// The lowest and highest corner of a box that holds it.
     pub(crate) fn bounds(&self) -> [DVec3; 2] {
-        [-1.0, 1.0].map(|side| self.center + side * self.bounding_radius)
+        [-1.0, 1.0].map(|side| self.centre + side * self.bounding_radius)
     }
 
     /// Both ends of a line, and a radius, within which of that line it lies.
     pub(crate) fn core(&self) -> ([DVec3; 2], f64) {
         let (half, radius) = self.form.answers().core();
-        ([self.center - half, self.center + half], radius)
+        ([self.centre - half, self.centre + half], radius)
     }
 
     /// Returns the first entry of `ray`, in front of the camera.
@@ -84,7 +84,7 @@ impl Solid {
     /// cameras up to 1e9 sizes away and down to grazing incidence.
     #[must_use]
     pub fn entry(&self, ray: &Ray) -> Option<Entry> {
-        let (start, from_start) = ray.nearest_to(self.center);
+        let (start, from_start) = ray.nearest_to(self.centre);
         if start.length_squared() >= self.bounding_radius * self.bounding_radius {
             return None;
         }
@@ -95,7 +95,7 @@ impl Solid {
         let position = start + direction * t;
         Some(Entry {
             distance: from_start + t,
-            position: self.center + position,
+            position: self.centre + position,
             normal: form.normal(position),
             triangle: None,
         })

@@ -175,15 +175,15 @@ mod tests {
     /// over the hemisphere before each.
     #[test]
     fn a_ball_receives_the_power_of_the_closed_forms() {
-        let (center, beta) = ([3.0, 2.0, 1.0], 0.6_f64);
-        let ball = Body::white(Shape::Sphere { center, radius: 0.5 });
+        let (centre, beta) = ([3.0, 2.0, 1.0], 0.6_f64);
+        let ball = Body::white(Shape::Sphere { centre, radius: 0.5 });
         let scene = PreparedScene::moving(&[ball]);
         let camera = Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 1.0, [8, 8]);
         let speed = Speed::from_beta(beta).expect("a speed");
         let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
         let appearance = Appearance { colour: Colour::StreetDaylight, ..Appearance::default() };
         let facing = |normal: DVec3| {
-            let rest = DVec3::from(center) + 0.5 * normal;
+            let rest = DVec3::from(centre) + 0.5 * normal;
             scene.facing_at(&view, &appearance, 0, MaterialPoint { rest, spin: None })
         };
         let total = |of: &dyn Fn(f64) -> f64| -> f64 {

@@ -29,7 +29,7 @@ impl PreparedScene {
     /// use relativity_render::{Appearance, Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
     ///
     /// // A red ball far to the left comes at 0.9 c: its light arrives at 700 nm / 4.36.
-    /// let ball = Body::new(Shape::Sphere { center: [-50.0, 1.0, 0.0], radius: 0.5 }, 700.0);
+    /// let ball = Body::new(Shape::Sphere { centre: [-50.0, 1.0, 0.0], radius: 0.5 }, 700.0);
     /// let scene = PreparedScene::moving(&[ball]);
     /// let gaze = Gaze { azimuth: std::f64::consts::PI, elevation: 0.0 };
     /// let camera = Camera::new(Aperture::default(), gaze, 1.0, [640, 480]);

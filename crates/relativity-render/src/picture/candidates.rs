@@ -108,7 +108,7 @@ impl PreparedScene {
     fn add_cones(&self, body: &PreparedBody, view: &GroupView, out: &mut Vec<Cone>) {
         let (Some(turning), Some(spin)) = (self.turning(body.number), &body.spin) else {
             let solid = self.solid(body.number);
-            out.push(Cone::of_sight(view, solid.center(), solid.bounding_radius()));
+            out.push(Cone::of_sight(view, solid.centre(), solid.bounding_radius()));
             return;
         };
         let (mut capsules, mut balls) = (Vec::new(), Vec::new());

@@ -89,7 +89,7 @@ mod tests {
     }
 
     fn bodies() -> Vec<Body> {
-        let sphere = |x: f64| Body::new(Shape::Sphere { center: [x, 3.0, 1.6], radius: 0.5 }, RED_NM);
+        let sphere = |x: f64| Body::new(Shape::Sphere { centre: [x, 3.0, 1.6], radius: 0.5 }, RED_NM);
         vec![sphere(-1.2), sphere(0.0)]
     }
 

@@ -110,8 +110,8 @@ impl Body {
     /// A model of triangles, where they were given.
     #[must_use]
     pub fn of_triangles(triangles: Arc<Triangles>) -> Self {
-        let (center, half) = (triangles.middle().to_array(), triangles.half().to_array());
-        let shape = Shape::Box { center, half, turn: DQuat::IDENTITY.to_array() };
+        let (centre, half) = (triangles.middle().to_array(), triangles.half().to_array());
+        let shape = Shape::Box { centre, half, turn: DQuat::IDENTITY.to_array() };
         Self { triangles: Some(triangles), ..Self::white(shape) }
     }
 
@@ -132,7 +132,7 @@ impl Body {
     #[must_use]
     pub fn outline(&self) -> Shape {
         match (&self.triangles, self.spin, self.shape) {
-            (Some(_), Some(spin), Shape::Box { center: [_, y, _], half, turn }) => {
+            (Some(_), Some(spin), Shape::Box { centre: [_, y, _], half, turn }) => {
                 let width = (DQuat::from_array(turn).conjugate() * DVec3::Y).abs().dot(half.into());
                 let [x, _, z] = spin.hub;
                 Shape::Cylinder { from: [x, y - width, z], to: [x, y + width, z], radius: spin.radius }
@@ -166,9 +166,9 @@ impl Body {
 
     /// Returns the triangles of the body with their place at rest; `None` unless it is a model.
     fn model(&self) -> Option<Model<'_>> {
-        let Shape::Box { center, turn, .. } = self.shape else { return None };
+        let Shape::Box { centre, turn, .. } = self.shape else { return None };
         let triangles = self.triangles.as_deref()?;
-        Some(Model { triangles, middle: center.into(), turn: DQuat::from_array(turn) })
+        Some(Model { triangles, middle: centre.into(), turn: DQuat::from_array(turn) })
     }
 
     /// Returns the point of it with the largest x.

@@ -112,7 +112,7 @@ impl All<'_> {
     /// Tests a candidate, and returns the distance up to which searching is worth while.
     #[inline(always)]
     fn visit<S: Simd>(&mut self, simd: S, candidate: &Candidate) -> f32 {
-        let mut meeting = self.lines.meeting(simd, candidate.center, candidate.half, &self.farthest);
+        let mut meeting = self.lines.meeting(simd, candidate.centre, candidate.half, &self.farthest);
         let mut has_less_reach = false;
         while meeting != 0 {
             let i = meeting.trailing_zeros() as usize;

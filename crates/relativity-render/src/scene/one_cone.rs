@@ -116,17 +116,17 @@ pub(crate) fn delays(scene: &PreparedScene, view: &View) -> [f64; 2] {
 }
 
 impl GroupView {
-    /// Returns the range of delays for what is in the rest-frame ball at `center`; `None` where it is not
+    /// Returns the range of delays for what is in the rest-frame ball at `centre`; `None` where it is not
     /// much farther than the eye.
     ///
     /// An event at P, from the middle, reaches the eye |P - e| - |P| later than the middle, which is -e.u and
     /// at most e^2/(2 (|P| - |e|)) more. The ball has exactly the directions u of a cone, and |P| is D times
     /// as far as in the rest frame.
-    fn delays(&self, center: DVec3, radius: f64) -> Option<[f64; 2]> {
+    fn delays(&self, centre: DVec3, radius: f64) -> Option<[f64; 2]> {
         let eye = self.camera.off_middle;
         let reach = eye.length();
         let geometry = if self.geometry == Geometry::OneCone { Geometry::Seen } else { self.geometry };
-        let Cone { axis, half_angle } = Cone::of_sight(&Self { geometry, ..*self }, center, radius);
+        let Cone { axis, half_angle } = Cone::of_sight(&Self { geometry, ..*self }, centre, radius);
         // The greatest and the least cosine of the angles from a direction.
         let cosines = |direction: DVec3| {
             let between = atan2(axis.cross(direction).length(), axis.dot(direction));
@@ -134,7 +134,7 @@ impl GroupView {
         };
         let least_doppler = cosines(self.velocity.forward())
             .map(|x| aberration::doppler_factor([x, (1.0 - x * x).sqrt(), 0.0], &self.velocity.speed));
-        let nearest = (center.distance(self.origin) - radius) * least_doppler[0].min(least_doppler[1]);
+        let nearest = (centre.distance(self.origin) - radius) * least_doppler[0].min(least_doppler[1]);
         let later = reach * reach / (2.0 * (nearest - reach));
         let [one, other] = cosines(eye).map(|cosine| -reach * cosine);
         (nearest > 2.0 * reach).then(|| [one.min(other), one.max(other) + later])

@@ -159,7 +159,7 @@ impl PreparedBody {
 pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
     let as_they_are = shared_ends(bodies, |body| body.placement.place_radius[3].to_bits());
     let first = bodies.first().map_or(0, |body| body.number);
-    let centre = |body: &PreparedBody| solids[body.number - first].center();
+    let centre = |body: &PreparedBody| solids[body.number - first].centre();
     let widened = shared_ends(bodies, |body| centre(body).to_array().map(f64::to_bits));
     for ((body, as_it_is), widened) in bodies.iter_mut().zip(as_they_are).zip(widened) {
         body.joint = Joint { as_it_is, widened };
@@ -169,7 +169,7 @@ pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
 /// Finds out which of `bodies`, those of one group, are earlier ones once more; `solids` are theirs.
 pub(crate) fn find_repeated(bodies: &mut [PreparedBody], solids: &[Solid]) {
     let place =
-        |solid: &Solid| (solid.center().to_array().map(f64::to_bits), solid.bounding_radius().to_bits());
+        |solid: &Solid| (solid.centre().to_array().map(f64::to_bits), solid.bounding_radius().to_bits());
     let mut order: Vec<usize> = (0..bodies.len()).collect();
     order.sort_by_cached_key(|&number| (place(&solids[number]), number));
     let same = |one: &PreparedBody, other: &PreparedBody| {

@@ -46,7 +46,7 @@ const NONE: u32 = u32::MAX;
 /// ```
 /// use relativity_render::{Body, Group, Motion, PreparedScene, Shape, Velocity};
 ///
-/// let ball = |x| Body::new(Shape::Sphere { center: [x, 3.0, 0.0], radius: 0.5 }, 550.0);
+/// let ball = |x| Body::new(Shape::Sphere { centre: [x, 3.0, 0.0], radius: 0.5 }, 550.0);
 /// let (rider, street) = ([ball(0.0)], [ball(-2.0), ball(2.0)]);
 /// let scene = PreparedScene::new([
 ///     Group { motion: Motion::Scene, bodies: &rider },
@@ -319,7 +319,7 @@ impl PreparedScene {
 /// The `entry` of a ray into a body that keeps its place, and its distance, or that of the place where the
 /// ray passes the body.
 pub(crate) fn passing(entry: Option<Entry>, ray: &Ray, solid: &Solid) -> (Option<Entry>, f64) {
-    let along = entry.map_or_else(|| ray.nearest_to(solid.center()).1, |entry| entry.distance);
+    let along = entry.map_or_else(|| ray.nearest_to(solid.centre()).1, |entry| entry.distance);
     (entry, along)
 }
 
@@ -361,8 +361,8 @@ impl PreparedGroup {
 fn ball_around(body: &PreparedBody, turning: Option<&TurningSolid>, capsules: &[Capsule]) -> Capsule {
     match (turning, &body.block) {
         (Some(turning), _) => {
-            let (center, radius) = turning.ball_around();
-            Capsule::ball(center, radius)
+            let (centre, radius) = turning.ball_around();
+            Capsule::ball(centre, radius)
         }
         (None, Some(block)) => block.ball_around(),
         (None, None) => Capsule::ball_around(&capsules[body.capsules.clone()]),

@@ -70,7 +70,7 @@ impl StandingBodies {
 
 impl Ball {
     fn around(solid: &Solid) -> Self {
-        Self { middle: solid.center(), radius: solid.bounding_radius() }
+        Self { middle: solid.centre(), radius: solid.bounding_radius() }
     }
 
     /// Whether all of another ball is well inside of this one.

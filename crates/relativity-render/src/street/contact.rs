@@ -176,8 +176,8 @@ mod tests {
     const EYE: Aperture = Aperture { x: 0.05, y: 0.0, z: 0.0 };
     const TIME: f64 = 3.0;
 
-    fn wheel(center: [f64; 3]) -> Shape {
-        Shape::Ring { center, axis: [0.0, 1.0, 0.0], radius: 0.45, tube_radius: 0.05 }
+    fn wheel(centre: [f64; 3]) -> Shape {
+        Shape::Ring { centre, axis: [0.0, 1.0, 0.0], radius: 0.45, tube_radius: 0.05 }
     }
 
     fn on_road() -> Appearance {
@@ -231,9 +231,9 @@ mod tests {
         let velocity = Velocity::from_beta(0.5).expect("below 1");
         let touching = [
             wheel([0.0, 4.0, GROUND + 0.5]),
-            Shape::Sphere { center: [1.0, 4.0, GROUND + 0.3], radius: 0.3 },
+            Shape::Sphere { centre: [1.0, 4.0, GROUND + 0.3], radius: 0.3 },
             Shape::Box {
-                center: [2.0, 4.0, GROUND + 0.4],
+                centre: [2.0, 4.0, GROUND + 0.4],
                 half: [0.5, 0.3, 0.4],
                 turn: [0.0, 0.0, 0.0, 1.0],
             },
@@ -253,7 +253,7 @@ mod tests {
             assert_eq!(count(&off, &on_road()), 0, "{shape:?}");
         }
         let lying = Shape::Ring {
-            center: [0.0, 4.0, GROUND + 0.05],
+            centre: [0.0, 4.0, GROUND + 0.05],
             axis: [0.0, 0.0, 1.0],
             radius: 0.45,
             tube_radius: 0.05,

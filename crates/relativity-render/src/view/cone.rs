@@ -26,52 +26,52 @@ impl Cone {
     /// The cone of every direction.
     pub const WHOLE_SKY: Self = Self { axis: DVec3::Y, half_angle: PI };
 
-    /// The cone from the origin around the ball at `center`; the whole sky from inside the ball.
+    /// The cone from the origin around the ball at `centre`; the whole sky from inside the ball.
     #[must_use]
-    pub fn around_ball(center: DVec3, radius: f64) -> Self {
-        let distance = center.length();
+    pub fn around_ball(centre: DVec3, radius: f64) -> Self {
+        let distance = centre.length();
         if distance <= radius {
             return Self::WHOLE_SKY;
         }
-        Self { axis: center / distance, half_angle: asin(radius / distance) }
+        Self { axis: centre / distance, half_angle: asin(radius / distance) }
     }
 
     /// The camera's lines of sight along which `view` can see something of its group inside the rest-frame
-    /// ball at `center`.
+    /// ball at `centre`.
     #[must_use]
-    pub fn of_sight(view: &GroupView, center: DVec3, radius: f64) -> Self {
-        let center = center - view.origin;
+    pub fn of_sight(view: &GroupView, centre: DVec3, radius: f64) -> Self {
+        let centre = centre - view.origin;
         match view.geometry {
-            Geometry::Rest => Self::around_ball(center, radius),
+            Geometry::Rest => Self::around_ball(centre, radius),
             Geometry::Seen | Geometry::Published => {
-                let along_motion = Self::around_ball(view.velocity.motion_from_group(center), radius);
+                let along_motion = Self::around_ball(view.velocity.motion_from_group(centre), radius);
                 let cone = along_motion.seen_from_ground(view);
                 Self { axis: view.velocity.camera_from_motion(cone.axis), ..cone }
             }
-            Geometry::OneCone => Self::in_one_cone(view, view.velocity.motion_from_group(center), radius),
+            Geometry::OneCone => Self::in_one_cone(view, view.velocity.motion_from_group(centre), radius),
             // The ball is an ellipsoid to the camera, flattened along the motion: inside the ball about its
             // centre.
             Geometry::Contracted => {
-                let DVec3 { x, y, z } = view.velocity.motion_from_group(center);
+                let DVec3 { x, y, z } = view.velocity.motion_from_group(centre);
                 let contracted = DVec3::new(x / view.velocity.speed.gamma(), y, z);
                 Self::around_ball(view.velocity.camera_from_motion(contracted), radius)
             }
         }
     }
 
-    /// Returns the cone around a ball where both eyes have one light cone, from the `center` in axes along
+    /// Returns the cone around a ball where both eyes have one light cone, from the `centre` in axes along
     /// the motion.
     ///
     /// What an eye is shown of a point then it sees at another time, which is off by no more than light takes
     /// to it from the middle; in between the point appears on a straight line. So the cones of both ends hold
     /// it, if convex.
-    fn in_one_cone(view: &GroupView, center: DVec3, radius: f64) -> Self {
+    fn in_one_cone(view: &GroupView, centre: DVec3, radius: f64) -> Self {
         let speed = &view.velocity.speed;
         let eye = view.velocity.motion_from_camera(view.camera.off_middle);
         let reach = eye.length();
         let at = |delay: f64| {
             let eye = DVec3 { x: Event { x: eye.x, t: delay }.in_frame(*speed).x, ..eye };
-            Self::around_ball(center - eye, radius).seen_from_ground(view)
+            Self::around_ball(centre - eye, radius).seen_from_ground(view)
         };
         let cone = at(-reach).joined(&at(reach));
         Self { axis: view.velocity.camera_from_motion(cone.axis), ..cone }

@@ -13,8 +13,8 @@ pub fn still_life() -> Vec<Body> {
 
 /// Returns the bodies of the still life without flat faces.
 pub fn round_still_life() -> Vec<Body> {
-    let ring = |center, axis: [f64; 3], radius, tube_radius| Shape::Ring {
-        center,
+    let ring = |centre, axis: [f64; 3], radius, tube_radius| Shape::Ring {
+        centre,
         axis: DVec3::from(axis).normalize().to_array(),
         radius,
         tube_radius,
@@ -23,8 +23,8 @@ pub fn round_still_life() -> Vec<Body> {
         ring([0.0, 3.0, 0.4], [0.0, 1.0, 0.0], 0.33, 0.02),
         ring([-0.8, 3.1, 0.5], [0.3, 1.0, 0.2], 0.3, 0.1),
         ring([-0.4, 3.0, 1.2], [1.0, 0.1, 0.0], 0.2, 0.05),
-        Shape::Sphere { center: [-0.4, 3.0, 0.75], radius: 0.12 },
-        Shape::Sphere { center: [0.0, 3.0, 0.4], radius: 0.05 },
+        Shape::Sphere { centre: [-0.4, 3.0, 0.75], radius: 0.12 },
+        Shape::Sphere { centre: [0.0, 3.0, 0.4], radius: 0.05 },
         Shape::Tube { from: [-1.2, 3.0, 0.9], to: [0.3, 3.0, 0.95], radius: 0.03 },
         Shape::Tube { from: [0.4, 2.8, 0.0], to: [0.4, 3.3, 1.3], radius: 0.05 },
         Shape::Tube { from: [-1.2, 2.6, 0.0], to: [0.3, 2.6, 0.1], radius: 0.004 },
@@ -34,9 +34,9 @@ pub fn round_still_life() -> Vec<Body> {
 
 /// Boxes and cylinders: cubes, plates and rods.
 fn flat_still_life() -> Vec<Body> {
-    let turned = |center, half, axis: [f64; 3], angle| {
+    let turned = |centre, half, axis: [f64; 3], angle| {
         let turn = DQuat::from_axis_angle(DVec3::from(axis).normalize(), angle).to_array();
-        Shape::Box { center, half, turn }
+        Shape::Box { centre, half, turn }
     };
     bodies(vec![
         turned([0.0, 2.8, 1.15], [0.12; 3], [0.3, 0.5, 1.0], 0.7),
@@ -54,28 +54,28 @@ fn flat_still_life() -> Vec<Body> {
 pub fn crowd(count: u32) -> Vec<Body> {
     let shape = |i| {
         let [x, y, z, size, u, v, w] = spread(i);
-        let center = centred([x, y, z]) * DVec3::new(6.0, 3.0, 3.0);
+        let centre = centred([x, y, z]) * DVec3::new(6.0, 3.0, 3.0);
         let direction = centred([u, v, w]).normalize();
         let size = 0.02 + 0.5 * size * size;
         match i % 5 {
-            0 => Shape::Sphere { center: center.to_array(), radius: 0.5 * size },
+            0 => Shape::Sphere { centre: centre.to_array(), radius: 0.5 * size },
             3 => Shape::Box {
-                center: center.to_array(),
+                centre: centre.to_array(),
                 half: [2.0 * size, (0.1 + u) * size, 0.5 * v * size + 1e-3],
                 turn: DQuat::from_rotation_arc(DVec3::X, direction).to_array(),
             },
             4 => Shape::Cylinder {
-                from: (center - direction * 2.0 * u * size).to_array(),
-                to: (center + direction * (2.0 * u * size + 1e-3)).to_array(),
+                from: (centre - direction * 2.0 * u * size).to_array(),
+                to: (centre + direction * (2.0 * u * size + 1e-3)).to_array(),
                 radius: (0.1 + w) * size,
             },
             1 => Shape::Tube {
-                from: (center - direction * 3.0 * size).to_array(),
-                to: (center + direction * 3.0 * size).to_array(),
+                from: (centre - direction * 3.0 * size).to_array(),
+                to: (centre + direction * 3.0 * size).to_array(),
                 radius: 0.2 * size,
             },
             _ => Shape::Ring {
-                center: center.to_array(),
+                centre: centre.to_array(),
                 axis: direction.to_array(),
                 radius: 2.0 * size,
                 tube_radius: 0.15 * size,

@@ -7,12 +7,12 @@ use relativity_render::{Body, HitImage, PreparedScene, Shape, View};
 #[must_use]
 pub fn joints() -> Vec<Body> {
     let [left, bend, right] = [[-0.9, 3.0, 0.3], [-0.3, 2.9, 0.9], [0.3, 3.1, 0.5]];
-    let ring = Shape::Ring { center: bend, axis: [0.6, 0.0, 0.8], radius: 0.25, tube_radius: 0.05 };
+    let ring = Shape::Ring { centre: bend, axis: [0.6, 0.0, 0.8], radius: 0.25, tube_radius: 0.05 };
     let shapes = [
-        Shape::Sphere { center: left, radius: 0.1 },
+        Shape::Sphere { centre: left, radius: 0.1 },
         Shape::Tube { from: left, to: bend, radius: 0.1 },
         Shape::Tube { from: right, to: bend, radius: 0.1 },
-        Shape::Sphere { center: right, radius: 0.1 },
+        Shape::Sphere { centre: right, radius: 0.1 },
         ring,
         ring,
     ];

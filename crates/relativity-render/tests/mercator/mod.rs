@@ -88,7 +88,7 @@ impl Chart {
 
 /// The centre of pixel `i` of `image`.
 #[must_use]
-pub fn centre(image: &HitImage, i: usize) -> DVec2 {
+pub fn pixel_centre(image: &HitImage, i: usize) -> DVec2 {
     let width = image.size[0] as usize;
     DVec2::new((i % width) as f64 + 0.5, (i / width) as f64 + 0.5)
 }
@@ -101,7 +101,7 @@ pub fn farthest_off(image: &HitImage, view: &View) -> (f64, usize) {
     let (mut most, mut covered) = (0.0f64, 0);
     for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
         let place = chart.place(seen(view, hit.rest_position));
-        most = most.max(place.distance(centre(image, i)));
+        most = most.max(place.distance(pixel_centre(image, i)));
         covered += 1;
     }
     (most, covered)
@@ -161,12 +161,12 @@ pub const BALL: ([f64; 3], f64) = ([0.3, 2.4, 1.8], 0.9);
 
 /// A view of the ball, before, abreast or after.
 fn view_of_ball(speed: Speed, along: f64) -> View {
-    let (center, _) = BALL;
-    let mut view = view_following(center, speed, time_seen_at(center, &speed, along), 75.0);
+    let (centre, _) = BALL;
+    let mut view = view_following(centre, speed, time_seen_at(centre, &speed, along), 75.0);
     if speed == Speed::REST {
-        let aside = along * center[1].hypot(center[2]);
-        view.camera.aperture.x = center[0] - aside;
-        view.camera.gaze = Gaze::along([aside, center[1], center[2]]);
+        let aside = along * centre[1].hypot(centre[2]);
+        view.camera.aperture.x = centre[0] - aside;
+        view.camera.gaze = Gaze::along([aside, centre[1], centre[2]]);
     }
     view.camera.projection = Projection::Mercator { right: DVec3::X, shift: 0.0 };
     view
@@ -175,18 +175,18 @@ fn view_of_ball(speed: Speed, along: f64) -> View {
 /// The middle of the outline of the ball.
 #[must_use]
 pub fn middle_of_ball(view: &View) -> DVec2 {
-    let (center, radius) = (DVec3::from(BALL.0), BALL.1);
-    let (y, z) = (center.y - view.camera.aperture.y, center.z - view.camera.aperture.z);
+    let (centre, radius) = (DVec3::from(BALL.0), BALL.1);
+    let (y, z) = (centre.y - view.camera.aperture.y, centre.z - view.camera.aperture.z);
     let tangent = (y * y + z * z - radius * radius).sqrt();
-    DVec2::new((along(view, center) / tangent).asinh() - rapidity(&view.speed), z.atan2(y))
+    DVec2::new((along(view, centre) / tangent).asinh() - rapidity(&view.speed), z.atan2(y))
 }
 
 /// Whether the ball has one outline all the way and at every speed: that of cos(v) = sqrt(1 - k^2) cosh(u),
 /// which is 2 artanh k wide and 2 arcsin k high; each pixel within `reach_px`, its width and height within 1
 /// px.
 pub fn a_ball_keeps_its_outline(renderers: &mut Renderers, method: Method, reach_px: f64) {
-    let (center, radius) = BALL;
-    let scene = PreparedScene::moving(&[Body::new(Shape::Sphere { center, radius }, 600.0)]);
+    let (centre, radius) = BALL;
+    let scene = PreparedScene::moving(&[Body::new(Shape::Sphere { centre, radius }, 600.0)]);
     let cases = [0.0, 0.6, 0.95, 0.999].into_iter().flat_map(|of| [-2.0, 0.0, 2.0].map(|along| (of, along)));
     for (of, along) in cases {
         let view = view_of_ball(beta(of), along);
@@ -196,13 +196,13 @@ pub fn a_ball_keeps_its_outline(renderers: &mut Renderers, method: Method, reach
 }
 
 fn has_outline(image: &HitImage, view: &View, reach_px: f64, context: &str) {
-    let (center, radius) = BALL;
-    let k = radius / center[1].hypot(center[2]);
+    let (centre, radius) = BALL;
+    let k = radius / centre[1].hypot(centre[2]);
     let chart = Chart::new(view);
     let middle = middle_of_ball(view);
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for (i, hit) in image.hits.iter().enumerate() {
-        let off = chart.coordinates(centre(image, i)) - middle;
+        let off = chart.coordinates(pixel_centre(image, i)) - middle;
         // All along the outline its gradient is k long.
         let inside = (off.y.cos() - (1.0 - k * k).sqrt() * off.x.cosh()) / k * chart.px_per_unit;
         assert!(
@@ -251,11 +251,11 @@ pub fn slid(renderers: &mut Renderers, method: Method, reach_px: f64) -> Slid {
             let bodies = [*hit, at_rest].map(|hit| hit.map(|hit| hit.body));
             if bodies[0] != bodies[1] {
                 all.differing += 1;
-                let near = bodies_around(&scene, &views[0], centre(&moving, i), reach_px);
+                let near = bodies_around(&scene, &views[0], pixel_centre(&moving, i), reach_px);
                 assert!(
                     bodies.iter().all(|body| near.contains(body)),
                     "{method}, beta {of} T {time}: {bodies:?} at {}",
-                    centre(&moving, i)
+                    pixel_centre(&moving, i)
                 );
             } else if let (Some(hit), Some(at_rest)) = (hit, at_rest) {
                 all.farthest = all.farthest.max(hit.rest_position.distance(at_rest.rest_position));

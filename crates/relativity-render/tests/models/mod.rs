@@ -33,7 +33,7 @@ pub fn scene_of(model: RawModel) -> PreparedScene {
 
 /// The box that [`box_model`] stands for.
 pub fn exact_box() -> Shape {
-    Shape::Box { center: [0.0, 4.0, 0.5], half: [1.0, 0.75, 0.5], turn: [0.0, 0.0, 0.0, 1.0] }
+    Shape::Box { centre: [0.0, 4.0, 0.5], half: [1.0, 0.75, 0.5], turn: [0.0, 0.0, 0.0, 1.0] }
 }
 
 /// The corners and the twelve triangles of that box.
@@ -48,7 +48,7 @@ pub fn box_model() -> RawModel {
 }
 
 /// A ball of `rings` times twice as many squares, each of two triangles.
-pub fn ball_model(center: [f64; 3], radius: f64, rings: u32) -> RawModel {
+pub fn ball_model(centre: [f64; 3], radius: f64, rings: u32) -> RawModel {
     let turns = 2 * rings;
     let corner = |i: u32| {
         let (polar, azimuth) = (
@@ -56,7 +56,7 @@ pub fn ball_model(center: [f64; 3], radius: f64, rings: u32) -> RawModel {
             2.0 * PI * f64::from(i % turns) / f64::from(turns),
         );
         let (x, y, z) = (polar.sin() * azimuth.cos(), polar.sin() * azimuth.sin(), polar.cos());
-        (DVec3::from(center) + radius * DVec3::new(x, y, z)).to_array()
+        (DVec3::from(centre) + radius * DVec3::new(x, y, z)).to_array()
     };
     let square = |i: u32| {
         let (ring, turn) = (i / turns, i % turns);

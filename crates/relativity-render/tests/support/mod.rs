@@ -48,18 +48,18 @@ pub fn centred(u: [f64; 3]) -> DVec3 {
 #[must_use]
 pub fn signed_distance(shape: &Shape, p: DVec3) -> f64 {
     match *shape {
-        Shape::Sphere { center, radius } => p.distance(center.into()) - radius,
+        Shape::Sphere { centre, radius } => p.distance(centre.into()) - radius,
         Shape::Tube { from, to, radius } => {
             let (from, to) = (DVec3::from(from), DVec3::from(to));
             let share = (p - from).dot(to - from) / from.distance_squared(to);
             p.distance(from.lerp(to, share.clamp(0.0, 1.0))) - radius
         }
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            let (p, axis) = (p - DVec3::from(center), DVec3::from(axis));
+        Shape::Ring { centre, axis, radius, tube_radius } => {
+            let (p, axis) = (p - DVec3::from(centre), DVec3::from(axis));
             (p.cross(axis).length() - radius).hypot(p.dot(axis)) - tube_radius
         }
-        Shape::Box { center, half, turn } => {
-            let own = DQuat::from_array(turn).conjugate() * (p - DVec3::from(center));
+        Shape::Box { centre, half, turn } => {
+            let own = DQuat::from_array(turn).conjugate() * (p - DVec3::from(centre));
             let out = own.abs() - DVec3::from(half);
             out.max(DVec3::ZERO).length() + out.max_element().min(0.0)
         }

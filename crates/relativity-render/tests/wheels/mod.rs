@@ -21,7 +21,7 @@ pub const SPIN: Spin = Spin { hub: HUB, radius: RADIUS, turning: Turning::Rollin
 /// Tyre, rim and hub; a valve and crossed spokes to both sides of the hub.
 pub fn wheel() -> Vec<Body> {
     let hub = DVec3::from(HUB);
-    let ring = |radius, tube_radius| Shape::Ring { center: HUB, axis: [0.0, 1.0, 0.0], radius, tube_radius };
+    let ring = |radius, tube_radius| Shape::Ring { centre: HUB, axis: [0.0, 1.0, 0.0], radius, tube_radius };
     let place = |rho: f64, angle: f64, y: f64| {
         let (sine, cosine) = angle.sin_cos();
         (hub + DVec3::new(rho * cosine, y, rho * sine)).to_array()

@@ -51,14 +51,14 @@ pub fn paint(
     let [along, upwards] = [axis_of(across, xs), axis_of(up, ys)];
     write(across, room.max - vec2(4.0, 2.0), Align2::RIGHT_BOTTOM, &name(across, &along));
     write(up, room.min + vec2(4.0, 2.0), Align2::LEFT_TOP, &name(up, &upwards));
-    let [center_x, center_y] = chart.center;
+    let [centre_x, centre_y] = chart.centre;
     for Tick { place, text } in along.ticks {
-        let x = canvas::place(chart, [across.unit.in_scene(place), center_y]).x;
+        let x = canvas::place(chart, [across.unit.in_scene(place), centre_y]).x;
         painter.vline(x, room.y_range(), if place == 0.0 { zero } else { line });
         write(across, pos2(x, room.max.y - 2.0), Align2::CENTER_BOTTOM, &text);
     }
     for Tick { place, text } in upwards.ticks {
-        let y = canvas::place(chart, [center_x, up.unit.in_scene(place)]).y;
+        let y = canvas::place(chart, [centre_x, up.unit.in_scene(place)]).y;
         painter.hline(room.x_range(), y, if place == 0.0 { zero } else { line });
         write(up, pos2(room.min.x + 4.0, y), Align2::LEFT_CENTER, &text);
     }

@@ -69,8 +69,8 @@ fn zoomed(ui: &Ui, viewpoint: Viewpoint, chart: &Chart, axes: [usize; 2], pointe
     }
     let there = chart.world([f64::from(pointer.x), f64::from(pointer.y)]);
     let mut zoomed = Viewpoint { zoom, ..viewpoint };
-    for (axis, (there, center)) in axes.into_iter().zip(there.into_iter().zip(chart.center)) {
-        zoomed.shift[axis] += (there - center) * (1.0 - viewpoint.zoom / zoom);
+    for (axis, (there, centre)) in axes.into_iter().zip(there.into_iter().zip(chart.centre)) {
+        zoomed.shift[axis] += (there - centre) * (1.0 - viewpoint.zoom / zoom);
     }
     zoomed
 }

@@ -48,8 +48,8 @@ fn triangles(scene: &Scene) -> &Triangles {
 
 /// The middle and half the sides of the box around it.
 fn placed(scene: &Scene) -> ([f64; 3], [f64; 3]) {
-    let Shape::Box { center, half, .. } = scene.bodies[0].shape else { panic!("a model has a box") };
-    (center, half.map(|side| (1e9 * side).round() / 1e9))
+    let Shape::Box { centre, half, .. } = scene.bodies[0].shape else { panic!("a model has a box") };
+    (centre, half.map(|side| (1e9 * side).round() / 1e9))
 }
 
 /// The same tetrahedron as glTF, with its data in it.
@@ -113,8 +113,8 @@ fn an_obj_is_read_with_its_colours_scaled_turned_and_placed() {
     let table = "path = \"models/a.obj\"\nup = \"z\"\nscale = 2\nangle = 90\nplace = [1, 5, 0]";
     let scene = read(table, &files).expect("it is right");
     assert_eq!((scene.names[0].as_str(), triangles(&scene).count()), ("a", 4));
-    let (center, half) = placed(&scene);
-    assert!((glam::DVec3::from(center) - glam::DVec3::new(0.0, 6.0, 2.0)).length() < 1e-9, "{center:?}");
+    let (centre, half) = placed(&scene);
+    assert!((glam::DVec3::from(centre) - glam::DVec3::new(0.0, 6.0, 2.0)).length() < 1e-9, "{centre:?}");
     assert_eq!(half, [1.0, 1.0, 2.0]);
     let paint = |triangle, weights| {
         let point = relativity_render::TrianglePoint { triangle, weights };

@@ -274,9 +274,9 @@ mod tests {
         (0..side * side).map(|i| Ray::new(camera, one(i).normalize()).counted_from(middle)).collect()
     }
 
-    fn of_one(center: Vec3, half: Vec3) -> Boxes {
+    fn of_one(centre: Vec3, half: Vec3) -> Boxes {
         let all = |v: Vec3| v.to_array().map(|part| [part; WIDTH]);
-        Boxes { center: all(center), half: all(half) }
+        Boxes { centre: all(centre), half: all(half) }
     }
 
     /// Rays that look from this `distance` at the `middle` of many boxes, and the beam around them.
@@ -295,12 +295,12 @@ mod tests {
 
     /// Returns where `beam` meets the box of this `number` first, and where the first of `rays` does.
     fn first(number: u32, middle: DVec3, rays: &[Ray], beam: &Beam) -> (f32, Option<f64>) {
-        let [center, half] = box_of(number);
+        let [centre, half] = box_of(number);
         let entries = rays.iter().filter_map(|ray| {
-            let [from, until] = inside(ray, middle + center, half)?;
+            let [from, until] = inside(ray, middle + centre, half)?;
             (until > -ray.from_camera).then_some(from.max(-ray.from_camera))
         });
-        let boxes = of_one(center.as_vec3(), half.as_vec3());
+        let boxes = of_one(centre.as_vec3(), half.as_vec3());
         (dispatch!(Level::new(), simd => beam.nearest(simd, &boxes)[0]), entries.reduce(f64::min))
     }
 
@@ -334,9 +334,9 @@ mod tests {
                     assert!(f64::from(nearest) < first + 1e-5, "{nearest} for {first} from {distance}");
                     met += 1;
                 }
-                let [center, half] = box_of(number);
+                let [centre, half] = box_of(number);
                 let axis = beam.axis.as_dvec3();
-                if center.dot(axis) + half.dot(axis.abs()) + distance < -0.4 {
+                if centre.dot(axis) + half.dot(axis.abs()) + distance < -0.4 {
                     assert_eq!(nearest, f32::INFINITY, "{number} from {distance}");
                     behind += 1;
                 }

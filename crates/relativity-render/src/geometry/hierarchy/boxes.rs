@@ -12,7 +12,7 @@ pub const WIDTH: usize = LANES;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Boxes {
     /// Middles of the boxes, part by part.
-    pub center: [[f32; WIDTH]; 3],
+    pub centre: [[f32; WIDTH]; 3],
     /// Half of its sides.
     pub half: [[f32; WIDTH]; 3],
 }
@@ -25,13 +25,13 @@ impl Boxes {
             let [x, y, z] = parts.map(|part| F::from_slice(simd, &part));
             V3 { x, y, z }
         };
-        BoxesOn { center: three(&self.center), half: three(&self.half) }
+        BoxesOn { centre: three(&self.centre), half: three(&self.half) }
     }
 }
 
 /// Boxes in registers, ready for tests.
 pub struct BoxesOn<S: Simd> {
-    center: V3<S>,
+    centre: V3<S>,
     half: V3<S>,
 }
 
@@ -40,21 +40,21 @@ impl<S: Simd> BoxesOn<S> {
     #[inline(always)]
     pub fn along(&self, direction: Vec3, size: Vec3) -> (F<S>, F<S>) {
         let dot = |v: V3<S>, w: Vec3| v.x * w.x + v.y * w.y + v.z * w.z;
-        (dot(self.center, direction), dot(self.half, size))
+        (dot(self.centre, direction), dot(self.half, size))
     }
 
     /// Returns the middles of the boxes along the axis of this number, and half of their sides there.
     #[inline(always)]
     pub fn across(&self, axis: usize) -> (F<S>, F<S>) {
         let part = |v: V3<S>| [v.x, v.y, v.z][axis];
-        (part(self.center), part(self.half))
+        (part(self.centre), part(self.half))
     }
 
     /// No place in a box is farther from the middle of the group.
     #[inline(always)]
     pub fn farthest(&self) -> F<S> {
         // The sum of its parts is no less than a length.
-        let place = self.center.abs() + self.half;
+        let place = self.centre.abs() + self.half;
         place.x + place.y + place.z
     }
 }

@@ -133,7 +133,7 @@ impl<'a> LeafGroup<'a> {
 
 impl Node {
     const EMPTY: Self = Self {
-        boxes: Boxes { center: [[0.0; WIDTH]; 3], half: [[f32::NEG_INFINITY; WIDTH]; 3] },
+        boxes: Boxes { centre: [[0.0; WIDTH]; 3], half: [[f32::NEG_INFINITY; WIDTH]; 3] },
         numbers: [0; WIDTH],
         holds: [Holds::Nothing; WIDTH],
     };
@@ -141,10 +141,10 @@ impl Node {
     /// Puts the box of `part` here, and what that holds if it is a leaf.
     fn put(&mut self, lane: usize, part: &LeafGroup<'_>) {
         let BoundingBox { low, high } = part.bounds;
-        let center = 0.5 * (low + high);
-        let half = 0.5 * (high - low) * (1.0 + 1e-6) + ROUNDING * center.abs();
+        let centre = 0.5 * (low + high);
+        let half = 0.5 * (high - low) * (1.0 + 1e-6) + ROUNDING * centre.abs();
         for axis in 0..3 {
-            self.boxes.center[axis][lane] = center[axis];
+            self.boxes.centre[axis][lane] = centre[axis];
             self.boxes.half[axis][lane] = half[axis];
         }
         (self.numbers[lane], self.holds[lane]) = match &*part.leaves {

@@ -65,21 +65,21 @@ impl RayBundle {
     /// A bit for each ray that may meet a box nearer than its `farthest`.
     #[inline(always)]
     #[must_use]
-    pub fn meeting<S: Simd>(&self, simd: S, center: Vec3, half: Vec3, farthest: &[f32; Self::MOST]) -> u64 {
-        let reach = half + ROUNDING * center.abs();
-        let distance = center.length();
+    pub fn meeting<S: Simd>(&self, simd: S, centre: Vec3, half: Vec3, farthest: &[f32; Self::MOST]) -> u64 {
+        let reach = half + ROUNDING * centre.abs();
+        let distance = centre.length();
         let [u, v] = &self.rows;
-        let rows = u.misses(simd, center, reach, distance) | v.misses(simd, center, reach, distance);
+        let rows = u.misses(simd, centre, reach, distance) | v.misses(simd, centre, reach, distance);
         let mut meeting = 0;
         let mut left = bits(!rows);
         while left != 0 {
             let first = left.trailing_zeros() as usize % ROWS * LANES;
             left &= left - 1;
-            let along = along(simd, &self.axis, first, center, reach);
+            let along = along(simd, &self.axis, first, centre, reach);
             let is_behind = (along.middle - along.size).simd_gt(some(simd, farthest, first));
             let [u, v] = &self.across;
             let misses =
-                u.misses(simd, first, center, reach) | v.misses(simd, first, center, reach) | is_behind;
+                u.misses(simd, first, centre, reach) | v.misses(simd, first, centre, reach) | is_behind;
             meeting |= u64::from(bits(!misses)) << first;
         }
         meeting & (u64::MAX >> (Self::MOST - self.count))
@@ -89,8 +89,8 @@ impl RayBundle {
 impl DirectionParts {
     /// Returns which rays from the `first` on miss a box on this side or the other.
     #[inline(always)]
-    fn misses<S: Simd>(&self, simd: S, first: usize, center: Vec3, reach: Vec3) -> Mask<S> {
-        let along = along(simd, &self.normal, first, center, reach);
+    fn misses<S: Simd>(&self, simd: S, first: usize, centre: Vec3, reach: Vec3) -> Mask<S> {
+        let along = along(simd, &self.normal, first, centre, reach);
         let offset = some(simd, &self.offset, first);
         ((along.middle - offset).abs() - offset.abs() * ROUNDING).simd_gt(along.size)
     }
@@ -119,8 +119,8 @@ impl RowSide {
 
     /// Returns the rows in which all rays miss a box this far from the middle on this side or the other.
     #[inline(always)]
-    fn misses<S: Simd>(&self, simd: S, center: Vec3, reach: Vec3, distance: f32) -> Mask<S> {
-        let along = along(simd, &self.normal, 0, center, reach);
+    fn misses<S: Simd>(&self, simd: S, centre: Vec3, reach: Vec3, distance: f32) -> Mask<S> {
+        let along = along(simd, &self.normal, 0, centre, reach);
         let room = some(simd, &self.turn, 0) * (distance + reach.element_sum()) + some(simd, &self.shift, 0);
         ((along.middle - some(simd, &self.offset, 0)).abs() - room).simd_gt(along.size)
     }
@@ -138,13 +138,13 @@ fn along<S: Simd, const N: usize>(
     simd: S,
     directions: &[[f32; N]; 3],
     first: usize,
-    center: Vec3,
+    centre: Vec3,
     reach: Vec3,
 ) -> Along<S> {
     let [x, y, z] = directions;
     let (x, y, z) = (some(simd, x, first), some(simd, y, first), some(simd, z, first));
     Along {
-        middle: x * center.x + y * center.y + z * center.z,
+        middle: x * centre.x + y * centre.y + z * centre.z,
         size: x.abs() * reach.x + y.abs() * reach.y + z.abs() * reach.z + ROUNDING * reach.element_sum(),
     }
 }
@@ -174,18 +174,18 @@ mod tests {
             let lines = RayBundle::new(&rays, middle);
             let (mut met, mut told) = (0, 0);
             for number in 0..2000 {
-                let (center, half) = (place(number, 1.5), 0.6 * place(number + 7, 1.0).abs());
+                let (centre, half) = (place(number, 1.5), 0.6 * place(number + 7, 1.0).abs());
                 let farthest = 0.5 * place(number, 1.0).x as f32;
                 let all = [farthest; RayBundle::MOST];
                 let mask = dispatch!(Level::new(), simd => {
-                    lines.meeting(simd, center.as_vec3(), half.as_vec3(), &all)
+                    lines.meeting(simd, centre.as_vec3(), half.as_vec3(), &all)
                 });
                 assert_eq!(mask >> rays.len(), 0);
                 for (i, ray) in rays.iter().enumerate() {
                     let is_told = mask >> i & 1 == 1;
-                    let entry = inside(ray, middle + center, half);
+                    let entry = inside(ray, middle + centre, half);
                     let is_met = entry.is_some_and(|[from, _]| from < f64::from(farthest) - 1e-5);
-                    assert!(is_told || !is_met, "ray {i} of {:?} meets {center} {half}", rays[0]);
+                    assert!(is_told || !is_met, "ray {i} of {:?} meets {centre} {half}", rays[0]);
                     (met, told) = (met + u32::from(is_met), told + u32::from(is_told));
                 }
             }

@@ -66,7 +66,7 @@ enum Holds {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Child {
     /// The middle of the box, from that of the group.
-    pub center: Vec3,
+    pub centre: Vec3,
     /// Half of its sides.
     pub half: Vec3,
     /// The node or the body in it.
@@ -92,7 +92,7 @@ pub struct Candidate {
     /// Least distance at which it is met, beyond the middle of the group.
     pub nearest: f32,
     /// The middle of the box, from that of the group.
-    pub center: Vec3,
+    pub centre: Vec3,
     /// Half of its sides.
     pub half: Vec3,
 }
@@ -112,8 +112,8 @@ impl Hierarchy {
                 Holds::Node => Content::Node(node.numbers[lane] as usize),
                 Holds::Body | Holds::Piece => Content::Body(node.numbers[lane]),
             };
-            let Candidate { center, half, .. } = node.candidate(lane, 0.0);
-            Some(Child { center, half, content })
+            let Candidate { centre, half, .. } = node.candidate(lane, 0.0);
+            Some(Child { centre, half, content })
         })
     }
 
@@ -188,7 +188,7 @@ impl Node {
             body: self.numbers[lane],
             is_one_of_some: self.holds[lane] == Holds::Piece,
             nearest,
-            center: self.boxes.center.map(|part| part[lane]).into(),
+            centre: self.boxes.centre.map(|part| part[lane]).into(),
             half: self.boxes.half.map(|part| part[lane]).into(),
         }
     }

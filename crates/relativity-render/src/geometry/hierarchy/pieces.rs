@@ -60,5 +60,5 @@ fn add_halves(capsule: &Capsule, longest: f64, halvings: u32, out: &mut Vec<[DVe
 /// The least box around `solid`.
 fn around(solid: &Solid) -> [DVec3; 2] {
     let half = solid.form.answers().half_sides();
-    [-half, half].map(|half| solid.center() + half)
+    [-half, half].map(|half| solid.centre() + half)
 }

@@ -58,8 +58,8 @@ impl Looks for Slabs {
         let [mut enters, mut leaves] = self.reach.map(|end| all(simd, end));
         let boxes = boxes.on(simd);
         for axis in 0..3 {
-            let (center, half) = boxes.across(axis);
-            let middle = (center - self.start[axis]) * self.reciprocal[axis];
+            let (centre, half) = boxes.across(axis);
+            let middle = (centre - self.start[axis]) * self.reciprocal[axis];
             let reach = (half + self.room) * self.reciprocal[axis].abs();
             enters = enters.max(middle - reach);
             leaves = leaves.min(middle + reach);
@@ -84,12 +84,12 @@ mod tests {
             let (mut met, mut found) = (0, 0);
             for number in 0..4000 {
                 let ray = &rays[number as usize % rays.len()];
-                let (center, half) = (place(number, 1.5), 0.5 * place(number + 7, 1.0).abs());
+                let (centre, half) = (place(number, 1.5), 0.5 * place(number + 7, 1.0).abs());
                 let parts = |v: DVec3| v.as_vec3().to_array().map(|part| [part; WIDTH]);
-                let boxes = Boxes { center: parts(center), half: parts(half) };
+                let boxes = Boxes { centre: parts(centre), half: parts(half) };
                 let slabs = Slabs::new(ray, middle);
                 let nearest = dispatch!(Level::new(), simd => slabs.nearest(simd, &boxes)[0]);
-                if let Some([entry, _]) = inside(ray, middle + center, half - 1e-6) {
+                if let Some([entry, _]) = inside(ray, middle + centre, half - 1e-6) {
                     assert!(f64::from(nearest) < entry + 1e-5, "{nearest} for {entry}");
                     met += 1;
                 }

@@ -27,9 +27,9 @@ pub fn looks(middle: DVec3) -> impl Iterator<Item = Vec<Ray>> {
 }
 
 /// Returns the range in which `ray` is inside a box, if anywhere: between three pairs of planes, in f64.
-pub fn inside(ray: &Ray, center: DVec3, half: DVec3) -> Option<[f64; 2]> {
+pub fn inside(ray: &Ray, centre: DVec3, half: DVec3) -> Option<[f64; 2]> {
     let to = |corner: DVec3| (corner - ray.start) / ray.direction;
-    let (low, high) = (to(center - half), to(center + half));
+    let (low, high) = (to(centre - half), to(centre + half));
     let [from, until] = [low.min(high).max_element(), low.max(high).min_element()];
     (from <= until).then_some([from, until])
 }

@@ -18,7 +18,7 @@ const SHADOW: f64 = 1.5;
 
 /// A box where it is placed.
 pub(super) struct Cuboid {
-    pub center: DVec3,
+    pub centre: DVec3,
     pub half: DVec3,
     pub turn: DQuat,
 }
@@ -34,7 +34,7 @@ impl PlacedShape for Cuboid {
 
     /// Half its size, and its turn as a quaternion.
     fn numbers(&self) -> Vec<f64> {
-        [&self.center.to_array()[..], &self.half.to_array(), &self.turn.to_array()].concat()
+        [&self.centre.to_array()[..], &self.half.to_array(), &self.turn.to_array()].concat()
     }
 
     fn is_round_about(&self, _: &Spin) -> bool {
@@ -46,13 +46,13 @@ impl PlacedShape for Cuboid {
     }
 
     fn distance(&self, place: DVec3) -> f64 {
-        let own = self.turn.conjugate() * (place - self.center);
+        let own = self.turn.conjugate() * (place - self.centre);
         let beyond = own.abs() - self.half;
         beyond.max(DVec3::ZERO).length() + beyond.max_element().min(0.0)
     }
 
     fn ball_around(&self) -> ([f64; 3], f64) {
-        (self.center.to_array(), self.half.length())
+        (self.centre.to_array(), self.half.length())
     }
 
     fn forward_most(&self) -> DVec3 {
@@ -60,7 +60,7 @@ impl PlacedShape for Cuboid {
         // Along an edge or a face that is across x, its middle.
         let side = |i: usize| if own[i].abs() < LEVEL { 0.0 } else { self.half[i].copysign(own[i]) };
         let corner = DVec3::new(side(0), side(1), side(2));
-        self.center + self.turn * corner
+        self.centre + self.turn * corner
     }
 
     /// The corners, the middles of edges and the middles of faces.
@@ -69,7 +69,7 @@ impl PlacedShape for Cuboid {
         let all = sides.into_iter().flat_map(|x| sides.map(|y| [x, y]));
         let all = all.flat_map(|[x, y]| sides.map(|z| DVec3::new(x, y, z)));
         all.filter(|place| *place != DVec3::ZERO)
-            .map(|place| self.center + self.turn * (self.half * place))
+            .map(|place| self.centre + self.turn * (self.half * place))
             .collect()
     }
 
@@ -79,7 +79,7 @@ impl PlacedShape for Cuboid {
         let edge = |edge: usize| {
             let (along, corner) = (edge / 4, edge % 4);
             let sign = |bit: usize| if corner & bit == 0 { -1.0 } else { 1.0 };
-            let middle = self.center + sign(1) * axes[(along + 1) % 3] + sign(2) * axes[(along + 2) % 3];
+            let middle = self.centre + sign(1) * axes[(along + 1) % 3] + sign(2) * axes[(along + 2) % 3];
             Stroke::line(middle - axes[along], middle + axes[along])
         };
         (0..12).map(edge).collect()
@@ -90,20 +90,20 @@ impl PlacedShape for Cuboid {
     }
 
     fn block(&self) -> Option<Block> {
-        Some(Block::new(self.center, self.half, self.turn))
+        Some(Block::new(self.centre, self.half, self.turn))
     }
 
     fn foot(&self) -> Option<Foot> {
-        let Self { half: DVec3 { x, y, z }, turn, center } = *self;
+        let Self { half: DVec3 { x, y, z }, turn, centre } = *self;
         let sides = [DVec3::X * x, DVec3::Y * y, DVec3::Z * z].map(|side| (turn * side).abs());
         let half = sides.into_iter().sum::<DVec3>();
         let shadow: DVec2 = SHADOW * half.truncate();
-        Some(Foot { place: center - DVec3::Z * half.z, radius: half.max_element(), half: shadow })
+        Some(Foot { place: centre - DVec3::Z * half.z, radius: half.max_element(), half: shadow })
     }
 
     fn packed(&self) -> PackedShape {
         let form = PackedForm::Vector(self.half, 0.0);
-        PackedShape { place: self.center, radius: self.half.min_element(), form }
+        PackedShape { place: self.centre, radius: self.half.min_element(), form }
     }
 }
 

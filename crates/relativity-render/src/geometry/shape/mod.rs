@@ -37,7 +37,7 @@ pub enum Shape {
     /// A ball of any size.
     Sphere {
         /// Centre of the ball.
-        center: [f64; 3],
+        centre: [f64; 3],
         /// Radius of the ball, above 0.
         radius: f64,
     },
@@ -53,7 +53,7 @@ pub enum Shape {
     /// A torus, the shape of a tyre.
     Ring {
         /// Centre of the torus.
-        center: [f64; 3],
+        centre: [f64; 3],
         /// Unit vector along the axis of symmetry.
         axis: [f64; 3],
         /// Radius of the circle in the middle of the tube, above `tube_radius`.
@@ -64,7 +64,7 @@ pub enum Shape {
     /// A box: three pairs of flat faces at right angles.
     Box {
         /// Centre of the box.
-        center: [f64; 3],
+        centre: [f64; 3],
         /// Half its lengths along its own axes, above 0.
         half: [f64; 3],
         /// Unit quaternion `[x, y, z, w]` that turns its own axes into those of the rest frame.
@@ -100,13 +100,13 @@ impl Shape {
     /// Asks the file of the shape.
     fn ask<T>(&self, question: impl FnOnce(&dyn PlacedShape) -> T) -> T {
         match *self {
-            Self::Sphere { center, radius } => question(&Sphere { center: center.into(), radius }),
+            Self::Sphere { centre, radius } => question(&Sphere { centre: centre.into(), radius }),
             Self::Tube { from, to, radius } => question(&capsule(from, to, radius)),
-            Self::Ring { center, axis, radius, tube_radius } => {
-                question(&Ring { center: center.into(), axis: axis.into(), radius, tube_radius })
+            Self::Ring { centre, axis, radius, tube_radius } => {
+                question(&Ring { centre: centre.into(), axis: axis.into(), radius, tube_radius })
             }
-            Self::Box { center, half, turn } => {
-                question(&Cuboid { center: center.into(), half: half.into(), turn: DQuat::from_array(turn) })
+            Self::Box { centre, half, turn } => {
+                question(&Cuboid { centre: centre.into(), half: half.into(), turn: DQuat::from_array(turn) })
             }
             Self::Cylinder { from, to, radius } => question(&Cylinder(capsule(from, to, radius))),
         }
@@ -115,16 +115,16 @@ impl Shape {
     /// The shape with its places mapped, and its own directions turned by `angle` about y, if at all.
     fn mapped(self, place: impl Fn([f64; 3]) -> [f64; 3], angle: Option<f64>) -> Self {
         match self {
-            Self::Sphere { center, radius } => Self::Sphere { center: place(center), radius },
+            Self::Sphere { centre, radius } => Self::Sphere { centre: place(centre), radius },
             Self::Tube { from, to, radius } => Self::Tube { from: place(from), to: place(to), radius },
-            Self::Ring { center, axis, radius, tube_radius } => {
+            Self::Ring { centre, axis, radius, tube_radius } => {
                 let axis = angle.map_or(axis, |angle| about_y(axis.into(), angle).to_array());
-                Self::Ring { center: place(center), axis, radius, tube_radius }
+                Self::Ring { centre: place(centre), axis, radius, tube_radius }
             }
-            Self::Box { center, half, turn } => {
+            Self::Box { centre, half, turn } => {
                 let turned = |angle| DQuat::from_rotation_y(angle) * DQuat::from_array(turn);
                 let turn = angle.map_or(turn, |angle| turned(angle).to_array());
-                Self::Box { center: place(center), half, turn }
+                Self::Box { centre: place(centre), half, turn }
             }
             Self::Cylinder { from, to, radius } => {
                 Self::Cylinder { from: place(from), to: place(to), radius }
@@ -135,7 +135,7 @@ impl Shape {
     /// Returns the shape's centre, and the shape about it.
     pub(crate) fn about_centre(&self) -> (DVec3, PreparedShape) {
         match *self {
-            Self::Sphere { center, radius } => (center.into(), PreparedShape::Sphere(SphereForm { radius })),
+            Self::Sphere { centre, radius } => (centre.into(), PreparedShape::Sphere(SphereForm { radius })),
             Self::Tube { from, to, radius } => {
                 let (from, to) = (DVec3::from(from), DVec3::from(to));
                 let half_length = 0.5 * (to - from).length();
@@ -145,12 +145,12 @@ impl Shape {
                 let axis = (to - from) / (2.0 * half_length);
                 (0.5 * (from + to), PreparedShape::Tube(TubeForm { axis, half_length, radius }))
             }
-            Self::Ring { center, axis, radius, tube_radius } => {
-                (center.into(), PreparedShape::Ring(RingForm { axis: axis.into(), radius, tube_radius }))
+            Self::Ring { centre, axis, radius, tube_radius } => {
+                (centre.into(), PreparedShape::Ring(RingForm { axis: axis.into(), radius, tube_radius }))
             }
-            Self::Box { center, half, turn } => {
+            Self::Box { centre, half, turn } => {
                 let axes = DMat3::from_quat(DQuat::from_array(turn));
-                (center.into(), PreparedShape::Box(BoxForm { axes, half: half.into() }))
+                (centre.into(), PreparedShape::Box(BoxForm { axes, half: half.into() }))
             }
             Self::Cylinder { from, to, radius } => {
                 let (from, to) = (DVec3::from(from), DVec3::from(to));

@@ -21,7 +21,7 @@ pub(crate) const SHADOW: [f64; 2] = [1.3, 0.5];
 
 /// A ring where it is placed.
 pub(super) struct Ring {
-    pub center: DVec3,
+    pub centre: DVec3,
     pub axis: DVec3,
     pub radius: f64,
     pub tube_radius: f64,
@@ -38,11 +38,11 @@ impl PlacedShape for Ring {
 
     fn numbers(&self) -> Vec<f64> {
         let sizes = [self.radius, self.tube_radius];
-        [&self.center.to_array()[..], &self.axis.to_array(), &sizes].concat()
+        [&self.centre.to_array()[..], &self.axis.to_array(), &sizes].concat()
     }
 
     fn is_round_about(&self, spin: &Spin) -> bool {
-        spin.is_on_axle(self.center) && self.axis.x == 0.0 && self.axis.z == 0.0
+        spin.is_on_axle(self.centre) && self.axis.x == 0.0 && self.axis.z == 0.0
     }
 
     fn turn(&self) -> DQuat {
@@ -50,35 +50,35 @@ impl PlacedShape for Ring {
     }
 
     fn distance(&self, place: DVec3) -> f64 {
-        let off = place - self.center;
+        let off = place - self.centre;
         let along = off.dot(self.axis);
         let across = (off - along * self.axis).length();
         hypot(across - self.radius, along) - self.tube_radius
     }
 
     fn ball_around(&self) -> ([f64; 3], f64) {
-        (self.center.to_array(), self.radius + self.tube_radius)
+        (self.centre.to_array(), self.radius + self.tube_radius)
     }
 
     fn forward_most(&self) -> DVec3 {
         let in_plane =
             DVec3::X.reject_from_normalized(self.axis).normalize_or(self.axis.any_orthonormal_vector());
-        self.center + self.radius * in_plane + self.tube_radius * DVec3::X
+        self.centre + self.radius * in_plane + self.tube_radius * DVec3::X
     }
 
     /// Around its middle line.
     fn samples(&self) -> Vec<DVec3> {
-        circle(self.center, self.axis, self.radius, AROUND)
+        circle(self.centre, self.axis, self.radius, AROUND)
     }
 
     fn strokes(&self) -> Vec<Stroke> {
-        let path = Path::circle(self.center, self.axis, self.radius);
+        let path = Path::circle(self.centre, self.axis, self.radius);
         vec![Stroke { path, radius: self.tube_radius }]
     }
 
     /// Returns the ring's arcs, each in a capsule along its chord, moved outwards by half the sagitta.
     fn capsules(&self) -> Vec<Capsule> {
-        let Self { center, axis, radius, tube_radius } = *self;
+        let Self { centre, axis, radius, tube_radius } = *self;
         // Half the sagitta, radius angle^2/16, adds no more than half the tube's radius. A thick ring has
         // eight arcs nevertheless, lest its hole be covered; the thinnest has no more than thirty-two, each
         // worth a rectangle.
@@ -90,7 +90,7 @@ impl PlacedShape for Ring {
         let point = |middle: f64, end: f64| {
             let outward = u * cos(middle) + v * sin(middle);
             let along = v * cos(middle) - u * sin(middle);
-            center
+            centre
                 + outward * (radius * cos(half_angle) + half_sagitta)
                 + along * (end * radius * sin(half_angle))
         };
@@ -108,13 +108,13 @@ impl PlacedShape for Ring {
         let outer = self.radius + self.tube_radius;
         let sizes = |part: f64, other: f64| outer * hypot(SHADOW[0] * part, SHADOW[1] * other);
         let half = DVec2::new(sizes(ahead.x, ahead.y), sizes(ahead.y, ahead.x));
-        let place = self.center + down * self.radius - DVec3::Z * self.tube_radius;
+        let place = self.centre + down * self.radius - DVec3::Z * self.tube_radius;
         Some(Foot { place, radius: outer, half })
     }
 
     fn packed(&self) -> PackedShape {
         let form = PackedForm::Vector(self.axis, self.radius);
-        PackedShape { place: self.center, radius: self.tube_radius, form }
+        PackedShape { place: self.centre, radius: self.tube_radius, form }
     }
 }
 

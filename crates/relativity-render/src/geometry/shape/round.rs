@@ -29,11 +29,11 @@ pub(crate) fn closing(radius: f64, step: f64) -> f64 {
 }
 
 /// Returns `count` places on the circle about `axis`, evenly spread.
-pub(crate) fn circle(center: DVec3, axis: DVec3, radius: f64, count: u32) -> Vec<DVec3> {
+pub(crate) fn circle(centre: DVec3, axis: DVec3, radius: f64, count: u32) -> Vec<DVec3> {
     let (across, up) = axis.normalize_or(DVec3::Z).any_orthonormal_pair();
     let place = |step| {
         let (sin, cos) = sin_cos(TAU * f64::from(step) / f64::from(count));
-        center + radius * (cos * across + sin * up)
+        centre + radius * (cos * across + sin * up)
     };
     (0..count).map(place).collect()
 }

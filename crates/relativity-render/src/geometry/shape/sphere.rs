@@ -15,7 +15,7 @@ const SHADOW: f64 = 1.2;
 
 /// A ball where it is placed.
 pub(super) struct Sphere {
-    pub center: DVec3,
+    pub centre: DVec3,
     pub radius: f64,
 }
 
@@ -29,11 +29,11 @@ impl PlacedShape for Sphere {
     }
 
     fn numbers(&self) -> Vec<f64> {
-        [&self.center.to_array()[..], &[self.radius]].concat()
+        [&self.centre.to_array()[..], &[self.radius]].concat()
     }
 
     fn is_round_about(&self, spin: &Spin) -> bool {
-        spin.is_on_axle(self.center)
+        spin.is_on_axle(self.centre)
     }
 
     fn turn(&self) -> DQuat {
@@ -41,21 +41,21 @@ impl PlacedShape for Sphere {
     }
 
     fn distance(&self, place: DVec3) -> f64 {
-        place.distance(self.center) - self.radius
+        place.distance(self.centre) - self.radius
     }
 
     fn ball_around(&self) -> ([f64; 3], f64) {
-        (self.center.to_array(), self.radius)
+        (self.centre.to_array(), self.radius)
     }
 
     fn forward_most(&self) -> DVec3 {
-        self.center + self.radius * DVec3::X
+        self.centre + self.radius * DVec3::X
     }
 
     /// Returns the ends of the diameters along x, y and z.
     fn samples(&self) -> Vec<DVec3> {
         let ends = DVec3::AXES.into_iter().flat_map(|axis| [-axis, axis]);
-        ends.map(|end| self.center + self.radius * end).collect()
+        ends.map(|end| self.centre + self.radius * end).collect()
     }
 
     /// None: its outline depends on who looks.
@@ -66,29 +66,29 @@ impl PlacedShape for Sphere {
     /// A circle, nearer than the centre and smaller than the ball where the eye is near; a point for an eye
     /// inside.
     fn silhouette(&self, onlooker_at: &dyn Fn(DVec3) -> Onlooker) -> Option<Path> {
-        let Self { center, radius } = *self;
-        let onlooker = onlooker_at(center);
-        let sight = onlooker.line_of_sight(center);
+        let Self { centre, radius } = *self;
+        let onlooker = onlooker_at(centre);
+        let sight = onlooker.line_of_sight(centre);
         let nearer = match onlooker {
             Onlooker::At(_) => (radius * radius / sight.length_squared()).min(1.0),
             Onlooker::Afar(_) => 0.0,
         };
         let axis = sight.normalize_or(DVec3::Z);
-        Some(Path::circle(center - sight * nearer, axis, radius * (1.0 - nearer).sqrt()))
+        Some(Path::circle(centre - sight * nearer, axis, radius * (1.0 - nearer).sqrt()))
     }
 
     fn capsules(&self) -> Vec<Capsule> {
-        vec![Capsule::ball(self.center, self.radius)]
+        vec![Capsule::ball(self.centre, self.radius)]
     }
 
     fn foot(&self) -> Option<Foot> {
-        let place = self.center - DVec3::Z * self.radius;
+        let place = self.centre - DVec3::Z * self.radius;
         Some(Foot { place, radius: self.radius, half: DVec2::splat(SHADOW * self.radius) })
     }
 
     /// A tube whose ends are in one place.
     fn packed(&self) -> PackedShape {
-        PackedShape { place: self.center, radius: self.radius, form: PackedForm::Place(self.center) }
+        PackedShape { place: self.centre, radius: self.radius, form: PackedForm::Place(self.centre) }
     }
 }
 

@@ -19,7 +19,7 @@ pub enum Path {
     /// A circle, from s = 0 to 1.
     Circle {
         /// Centre of the ring.
-        center: DVec3,
+        centre: DVec3,
         /// Vectors at right angles from the centre to the circle.
         across: [DVec3; 2],
     },
@@ -28,9 +28,9 @@ pub enum Path {
 impl Path {
     /// The circle about `axis` (unit vector).
     #[must_use]
-    pub fn circle(center: DVec3, axis: DVec3, radius: f64) -> Self {
+    pub fn circle(centre: DVec3, axis: DVec3, radius: f64) -> Self {
         let (u, v) = axis.any_orthonormal_pair();
-        Self::Circle { center, across: [u * radius, v * radius] }
+        Self::Circle { centre, across: [u * radius, v * radius] }
     }
 
     /// The point at `s`, which runs from 0 to 1.
@@ -38,9 +38,9 @@ impl Path {
     pub fn at(&self, s: f64) -> DVec3 {
         match *self {
             Self::Line { from, to } => from.lerp(to, s),
-            Self::Circle { center, across: [u, v] } => {
+            Self::Circle { centre, across: [u, v] } => {
                 let (sin, cos) = sin_cos(s * TAU);
-                center + cos * u + sin * v
+                centre + cos * u + sin * v
             }
         }
     }

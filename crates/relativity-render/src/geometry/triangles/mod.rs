@@ -182,7 +182,7 @@ impl Triangles {
     /// Places are within 1e-14 of the box's size of the triangle's plane. No ray passes between two triangles
     /// that share corners.
     pub(crate) fn entry(&self, solid: &Solid, ray: &Ray) -> Option<Entry> {
-        let (start, from_start) = ray.nearest_to(solid.center());
+        let (start, from_start) = ray.nearest_to(solid.centre());
         let radius = solid.bounding_radius();
         if start.length_squared() >= radius * radius {
             return None;
@@ -192,7 +192,7 @@ impl Triangles {
         let crossing = self.crossing(axes.transpose() * start, axes.transpose() * ray.direction, behind)?;
         Some(Entry {
             distance: from_start + crossing.distance,
-            position: solid.center() + (start + ray.direction * crossing.distance),
+            position: solid.centre() + (start + ray.direction * crossing.distance),
             normal: axes * crossing.normal,
             triangle: Some(crossing.point),
         })
@@ -211,7 +211,7 @@ impl Triangles {
             return (TrianglePoint { triangle, weights: [0.0; 2] }, -direction);
         };
         let [a, b, c] = self.corners_of(triangle.min(self.faces.len() as u32 - 1));
-        let (across, from_first) = ((b - a).cross(c - a), axes.transpose() * (place - solid.center()) - a);
+        let (across, from_first) = ((b - a).cross(c - a), axes.transpose() * (place - solid.centre()) - a);
         let share = |part: DVec3| (part.dot(across) / across.length_squared()) as f32;
         let weights = [share(from_first.cross(c - a)), share((b - a).cross(from_first))];
         (TrianglePoint { triangle, weights }, axes * facing(across, axes.transpose() * direction))

@@ -164,7 +164,7 @@ impl<'a> Records<'a> {
         self.nodes.push([[0; 4]; TEXELS]);
         let (low, high) = bounds(children);
         let axis = (high - low).max_position();
-        children.sort_unstable_by(|a, b| a.center[axis].total_cmp(&b.center[axis]));
+        children.sort_unstable_by(|a, b| a.centre[axis].total_cmp(&b.centre[axis]));
         let (first, second) = children.split_at_mut(children.len().div_ceil(2));
         for (half, children) in [first, second].into_iter().enumerate() {
             let (low, high) = bounds(children);
@@ -201,7 +201,7 @@ impl<'a> Records<'a> {
 /// The lowest and the highest corner of the box around `children`.
 fn bounds(children: &[Child]) -> (Vec3, Vec3) {
     children.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), child| {
-        (low.min(child.center - child.half), high.max(child.center + child.half))
+        (low.min(child.centre - child.half), high.max(child.centre + child.half))
     })
 }
 

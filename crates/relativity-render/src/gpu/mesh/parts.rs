@@ -143,7 +143,7 @@ fn ball_around(scene: &PreparedScene, body: &PreparedBody) -> Capsule {
         return *scene.ball_around(body);
     }
     let solid = scene.solid(body.number);
-    Capsule::ball(solid.center(), solid.bounding_radius())
+    Capsule::ball(solid.centre(), solid.bounding_radius())
 }
 
 /// Returns where `body` is, which is inside `ball`.
@@ -211,8 +211,8 @@ impl MeshInstance {
 
 /// Returns half the least width that `body` is seen with, in the direction of its middle.
 fn half_width(body: &PreparedBody, solid: &Solid, view: &GroupView) -> f64 {
-    let center = view.place_when_shown(MaterialPoint { rest: solid.center(), spin: body.spin });
-    solid.half_width((center - view.origin).normalize_or(DVec3::Y))
+    let centre = view.place_when_shown(MaterialPoint { rest: solid.centre(), spin: body.spin });
+    solid.half_width((centre - view.origin).normalize_or(DVec3::Y))
 }
 
 /// Returns half the size of a pixel where `body` is farthest: infinite outside the domain of the core. The
@@ -229,7 +229,7 @@ fn half_pixel(body: &PreparedBody, solid: &Solid, view: &GroupView) -> f64 {
         })
     };
     let mut farthest = 0.0_f64;
-    let mut visit = |own: DVec3| farthest = farthest.max(depth(solid.center() + body.turn * own));
+    let mut visit = |own: DVec3| farthest = farthest.max(depth(solid.centre() + body.turn * own));
     solid.form.answers().visit_farthest(&mut visit);
     0.5 * farthest / view.camera.focal_length_px()
 }

@@ -114,14 +114,14 @@ impl<'a> Sizes<'a> {
     /// within the ends of the rectangle that it sweeps as it is turned about that line, and nothing in it is
     /// longer than at one of that rectangle's corners, gamma (1 - beta cos) times its own length.
     fn appearance(&self, ball: &Capsule) -> Option<Appearance> {
-        let Capsule { from: center, radius, .. } = *ball;
+        let Capsule { from: centre, radius, .. } = *ball;
         let view = self.view;
         let speed = &view.velocity.speed;
         let seen = |along_motion: DVec3| {
             let rest = view.origin + view.velocity.group_from_motion(along_motion);
             view.apparent_position(rest).map(|place| view.velocity.motion_from_camera(place))
         };
-        let middle = view.along_motion_from_camera(center);
+        let middle = view.along_motion_from_camera(centre);
         let off_line = hypot(middle.y, middle.z);
         let outwards = DVec3::new(0.0, middle.y, middle.z) / off_line;
         let outwards = if outwards.is_finite() { outwards } else { DVec3::Y };

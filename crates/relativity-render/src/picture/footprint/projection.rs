@@ -87,10 +87,10 @@ impl FootprintMap {
         }
     }
 
-    /// Whether a rest-frame ball around `center`, from the camera's event in axes along the motion, is surely
+    /// Whether a rest-frame ball around `centre`, from the camera's event in axes along the motion, is surely
     /// not in the picture.
-    pub fn hides(&self, center: DVec3, radius: f64) -> bool {
-        self.footprint(&Capsule::ball(center, radius)) == Some(Footprint::Hidden)
+    pub fn hides(&self, centre: DVec3, radius: f64) -> bool {
+        self.footprint(&Capsule::ball(centre, radius)) == Some(Footprint::Hidden)
     }
 
     /// Returns the footprint of `capsule`; `None` if it has none as a whole.

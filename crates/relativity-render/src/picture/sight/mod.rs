@@ -55,7 +55,7 @@ impl PreparedScene {
     pub fn framing(&self, views: &[View]) -> Option<Framing> {
         let sights = sights(self, views);
         let balls = sights.iter().flat_map(GroupSight::balls);
-        let sum: DVec3 = balls.map(|ball| ball.center.normalize_or_zero()).sum();
+        let sum: DVec3 = balls.map(|ball| ball.centre.normalize_or_zero()).sum();
         // From within the balls around all bodies, such as that around a long one nearby, their middles tell
         // where they are.
         let middles = || sights.iter().map(GroupSight::middles).sum::<DVec3>().try_normalize();
@@ -212,9 +212,9 @@ impl<'a> GroupSight<'a> {
         let projection = FootprintMap::new(view);
         let seen = |body: &PreparedBody| {
             let around = scene.ball_around(body);
-            let center =
+            let centre =
                 projection.apparent_centre(view.along_motion_from_camera(around.from), around.radius);
-            let ball = center.map(|center| Ball { center, radius: around.radius });
+            let ball = centre.map(|centre| Ball { centre, radius: around.radius });
             let point = || projection.apparent_centre(view.along_motion_from_camera(around.from), 0.0);
             let middle = if ball.is_none() { point() } else { None };
             let bounds = match (scene.turning(body.number), &body.block) {
@@ -231,7 +231,7 @@ impl<'a> GroupSight<'a> {
     /// The balls that look like those around the bodies, on the ground.
     fn balls(&self) -> impl Iterator<Item = Ball> {
         let balls = self.bodies.iter().filter_map(|body| body.ball);
-        balls.map(|ball| Ball { center: self.view.velocity.camera_from_motion(ball.center), ..ball })
+        balls.map(|ball| Ball { centre: self.view.velocity.camera_from_motion(ball.centre), ..ball })
     }
 
     /// The sum of the directions in which the middles of the bodies are seen, on the ground.
@@ -265,7 +265,7 @@ impl<'a> GroupSight<'a> {
             *found = Reach::EVERYWHERE;
             return;
         };
-        let ball = |center| Ball { center, radius: piece.radius };
+        let ball = |centre| Ball { centre, radius: piece.radius };
         for end in ends {
             found.widen(&ball(end), axes);
         }

@@ -86,10 +86,10 @@ impl Reach {
 
     /// Whether it holds `ball`, also where that is nearer to the baseline by this much.
     pub(super) fn holds_nearer(&self, ball: &Ball, nearer: f64, axes: &Ruled) -> bool {
-        let [aside, off] = axes.across(ball.center);
+        let [aside, off] = axes.across(ball.centre);
         self.across.holds(aside, off - nearer, ball.radius)
             && (nearer == 0.0 || self.across.holds(aside, off, ball.radius))
-            && self.up.holds(ball.center.dot(axes.axes.up), ball.center.dot(axes.axes.forward), ball.radius)
+            && self.up.holds(ball.centre.dot(axes.axes.up), ball.centre.dot(axes.axes.forward), ball.radius)
     }
 
     pub(super) fn widen(&mut self, ball: &Ball, axes: &Ruled) {
@@ -97,10 +97,10 @@ impl Reach {
     }
 
     pub(super) fn widen_nearer(&mut self, ball: &Ball, nearer: f64, axes: &Ruled) {
-        let [aside, off] = axes.across(ball.center);
+        let [aside, off] = axes.across(ball.centre);
         self.across.widen(aside, off, ball.radius);
         self.across.widen(aside, off - nearer, ball.radius);
-        self.up.widen(ball.center.dot(axes.axes.up), ball.center.dot(axes.axes.forward), ball.radius);
+        self.up.widen(ball.centre.dot(axes.axes.up), ball.centre.dot(axes.axes.forward), ball.radius);
     }
 }
 

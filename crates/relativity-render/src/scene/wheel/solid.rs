@@ -68,7 +68,7 @@ impl TurningSolid {
     /// least sweep.
     pub fn of_body(solid: Solid, spin: Spin, triangles: Option<&Triangles>) -> Self {
         let Some(triangles) = triangles else { return Self::new(solid, spin) };
-        let places = triangles.corners().map(|corner| solid.center + solid.rest_from_box(corner));
+        let places = triangles.corners().map(|corner| solid.centre + solid.rest_from_box(corner));
         Self { solid, spin, sweep: Sweep::of_places(places, &spin) }
     }
 
@@ -91,7 +91,7 @@ impl TurningSolid {
     pub fn ring_around(&self) -> Shape {
         let Sweep { middle, half_width, outer, .. } = self.sweep;
         let axis = DVec3::Y.to_array();
-        Shape::Ring { center: middle.to_array(), axis, radius: outer, tube_radius: half_width }
+        Shape::Ring { centre: middle.to_array(), axis, radius: outer, tube_radius: half_width }
     }
 
     /// A tyre as wide as it and as far from the axle.
@@ -99,7 +99,7 @@ impl TurningSolid {
         let Sweep { middle, half_width, outer, .. } = self.sweep;
         let tube_radius = half_width.min(0.25 * outer);
         let axis = DVec3::Y.to_array();
-        Shape::Ring { center: middle.to_array(), axis, radius: outer - tube_radius, tube_radius }
+        Shape::Ring { centre: middle.to_array(), axis, radius: outer - tube_radius, tube_radius }
     }
 
     /// The lowest and highest corner of a box that holds it at every angle.
@@ -228,7 +228,7 @@ pub(super) struct TurningRay<'a> {
     body: &'a TurningSolid,
     ray: &'a LocalRay,
     /// Centre of the body at t' = 0, from the sweep's middle.
-    center: DVec3,
+    centre: DVec3,
     /// The angle by which the body has turned where it is shown at the parameter `turned_at`.
     turn: f64,
     turned_at: f64,
@@ -250,7 +250,7 @@ impl<'a> TurningRay<'a> {
         Self {
             body,
             ray,
-            center: solid.center - sweep.middle,
+            centre: solid.centre - sweep.middle,
             turn: view.turn_at(spin, place),
             turned_at,
             rate,
@@ -280,7 +280,7 @@ impl<'a> TurningRay<'a> {
         let back = math::sin_cos(-self.turn_at(s));
         let place = turned_by(self.ray.start + self.ray.direction * s, back);
         let own = DVec3::Y.cross(place) * self.rate;
-        [place - self.center, turned_by(self.ray.direction, back) - own]
+        [place - self.centre, turned_by(self.ray.direction, back) - own]
     }
 
     /// Outward, where the surface is entered.

@@ -70,7 +70,7 @@ fn street(on: &mut SheetPainter<'_>) {
     let mut level = Vec::new();
     for ([from, to], name) in street_lines(instant, &state.document.scene, sheet.projection) {
         if from[1] == to[1] {
-            let y = canvas::place(&sheet.chart, [sheet.chart.center[0], from[1]]).y;
+            let y = canvas::place(&sheet.chart, [sheet.chart.centre[0], from[1]]).y;
             painter.hline(room.x_range(), y, stroke);
             level.push((pos2(room.max.x - 5.0, y - 1.0), name));
         } else if let Some(ends) = across_chart(sheet, [from, to]) {

@@ -154,11 +154,11 @@ impl Passing {
 impl Case {
     /// From the place `event` in the rest frame; another body beside it moves the middle of its group away.
     fn new(body: Body, event: DVec3, passing: Passing) -> Self {
-        let aside = Shape::Sphere { center: [1.5, 4.0, -1.0], radius: 0.2 };
+        let aside = Shape::Sphere { centre: [1.5, 4.0, -1.0], radius: 0.2 };
         let bodies = [body.clone(), Body::new(aside, 500.0)];
         let scene = PreparedScene::new([Group { motion: passing.motion(), bodies: &bodies }]);
         let mut view = passing.view_from(event);
-        let middle = MaterialPoint { rest: scene.solid(0).center(), spin: body.spin };
+        let middle = MaterialPoint { rest: scene.solid(0).centre(), spin: body.spin };
         let seen = scene.group_views(&view)[0].apparent_position(middle);
         view.camera.gaze = Gaze::along(seen.expect("inside the domain").to_array());
         let views = scene.group_views(&view);
@@ -179,7 +179,7 @@ impl Case {
     fn pixels(&self, random: &mut Random, spread: f64) -> [[f32; LANES]; 2] {
         let pixels: [_; LANES] = array::from_fn(|_| {
             loop {
-                let place = self.scene.solid(0).center() + random.in_ball() * (spread * self.size());
+                let place = self.scene.solid(0).centre() + random.in_ball() * (spread * self.size());
                 let spin = self.body.spin;
                 if spin.is_some_and(|spin| spin.off_axle(place).length() > spin.radius) {
                     continue;
@@ -264,18 +264,18 @@ const CENTRE: DVec3 = DVec3::new(-0.3, 3.0, 0.1);
 
 /// A ball, and bodies of each kind, slender and stout.
 fn shapes() -> Vec<Shape> {
-    let center = CENTRE.to_array();
+    let centre = CENTRE.to_array();
     let end = |x: f64, y: f64, z: f64| (CENTRE + DVec3::new(x, y, z)).to_array();
     let axis = DVec3::new(0.3, -0.5, 0.8).normalize().to_array();
     let turn = DQuat::from_axis_angle(DVec3::new(0.2, 0.9, -0.4).normalize(), 1.1).to_array();
     vec![
-        Shape::Sphere { center, radius: 0.5 },
+        Shape::Sphere { centre, radius: 0.5 },
         Shape::Tube { from: end(-0.4, 0.1, 0.2), to: end(0.4, -0.1, -0.2), radius: 0.1 },
         Shape::Tube { from: end(-0.1, 0.0, 0.5), to: end(0.1, 0.0, -0.5), radius: 0.01 },
-        Shape::Ring { center, axis, radius: 0.4, tube_radius: 0.15 },
-        Shape::Ring { center, axis: [0.0, 1.0, 0.0], radius: 0.5, tube_radius: 0.02 },
-        Shape::Box { center, half: [0.4, 0.2, 0.3], turn },
-        Shape::Box { center, half: [0.5, 0.02, 0.1], turn: DQuat::IDENTITY.to_array() },
+        Shape::Ring { centre, axis, radius: 0.4, tube_radius: 0.15 },
+        Shape::Ring { centre, axis: [0.0, 1.0, 0.0], radius: 0.5, tube_radius: 0.02 },
+        Shape::Box { centre, half: [0.4, 0.2, 0.3], turn },
+        Shape::Box { centre, half: [0.5, 0.02, 0.1], turn: DQuat::IDENTITY.to_array() },
         Shape::Cylinder { from: end(-0.2, 0.1, 0.3), to: end(0.2, -0.1, -0.3), radius: 0.3 },
         Shape::Cylinder { from: end(0.0, -0.02, 0.0), to: end(0.0, 0.02, 0.0), radius: 0.5 },
     ]
@@ -324,10 +324,10 @@ fn wheels() -> Vec<Body> {
     let shapes = [
         Shape::Tube { from: place(0.05, 0.03, 0.1), to: place(0.45, 0.0, 0.2), radius: 0.01 },
         Shape::Tube { from: place(0.4, 0.0, 0.6), to: place(0.4, 0.0, 0.6), radius: 0.08 },
-        Shape::Ring { center: place(0.25, 0.0, 0.8), axis, radius: 0.15, tube_radius: 0.04 },
-        Shape::Box { center: place(0.2, 0.0, 0.4), half: [0.1, 0.05, 0.2], turn },
+        Shape::Ring { centre: place(0.25, 0.0, 0.8), axis, radius: 0.15, tube_radius: 0.04 },
+        Shape::Box { centre: place(0.2, 0.0, 0.4), half: [0.1, 0.05, 0.2], turn },
         Shape::Cylinder { from: place(0.3, -0.1, 0.9), to: place(0.2, 0.1, 0.9), radius: 0.12 },
-        Shape::Ring { center: hub.to_array(), axis: [0.0, 1.0, 0.0], radius: 0.48, tube_radius: 0.02 },
+        Shape::Ring { centre: hub.to_array(), axis: [0.0, 1.0, 0.0], radius: 0.48, tube_radius: 0.02 },
         Shape::Cylinder { from: place(0.0, -0.1, 0.0), to: place(0.0, 0.1, 0.0), radius: 0.3 },
     ];
     let spin = Spin { hub: hub.to_array(), radius: 0.5, turning: Turning::Rolling };

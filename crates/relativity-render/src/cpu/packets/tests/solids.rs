@@ -40,7 +40,7 @@ fn the_same_rays_hit_at_the_same_places() {
                     continue;
                 }
                 let off = [
-                    solid.form.answers().distance(place - solid.center()).0.abs(),
+                    solid.form.answers().distance(place - solid.centre()).0.abs(),
                     place.distance(entry.position) * cosine,
                     (found.beyond - (entry.position - case.middle()).dot(found.direction)).abs() * cosine,
                 ];

@@ -66,7 +66,7 @@ fn what_turns_is_met_where_it_is_shown() {
                 hits += 1;
                 // The body is met where it is when that is shown, and where it first is.
                 let hub = DVec3::from(spin.hub);
-                let own = hub + about_y(place - hub, -turn) - solid.center();
+                let own = hub + about_y(place - hub, -turn) - solid.centre();
                 let off = solid.form.answers().distance(own).0.abs() / allowed;
                 let apart = place.distance(entry.position) * cosine / allowed;
                 if off >= 1.0 || apart >= 4.0 {
@@ -91,12 +91,12 @@ fn what_turns_is_met_where_it_is_shown() {
                 let whole = DQuat::from_rotation_y(turn) * prepared.turn;
                 let tilt = found.turn.dot(whole).abs();
                 assert!((tilt - 1.0).abs() < 1e-6, "{context}: {} for {whole}", found.turn);
-                let center = solid.center();
+                let centre = solid.centre();
                 let there = if turns == Turns::About {
                     assert!(found.from_hub.distance(place - hub) < 1e-6, "{context}");
-                    place - (hub + about_y(center - hub, turn))
+                    place - (hub + about_y(centre - hub, turn))
                 } else {
-                    place - center
+                    place - centre
                 };
                 assert!(found.there.distance(there) < 2e-6, "{context}: {} for {there}", found.there);
             }

@@ -25,10 +25,10 @@ const PATTERNS: [Pattern; 7] = [
     Pattern::Stripes { step: 0.004 },
 ];
 const SHAPES: [Shape; 5] = [
-    Shape::Sphere { center: [-0.1, 3.1, 0.1], radius: 0.35 },
+    Shape::Sphere { centre: [-0.1, 3.1, 0.1], radius: 0.35 },
     Shape::Tube { from: [-0.7, 3.0, 0.0], to: [0.6, 3.3, 0.1], radius: 0.12 },
-    Shape::Ring { center: [-0.1, 3.2, 0.1], axis: [0.36, 0.48, 0.8], radius: 0.3, tube_radius: 0.1 },
-    Shape::Box { center: [0.1, 2.9, 0.1], half: [0.2, 0.25, 0.15], turn: [0.2, 0.4, 0.4, 0.8] },
+    Shape::Ring { centre: [-0.1, 3.2, 0.1], axis: [0.36, 0.48, 0.8], radius: 0.3, tube_radius: 0.1 },
+    Shape::Box { centre: [0.1, 2.9, 0.1], half: [0.2, 0.25, 0.15], turn: [0.2, 0.4, 0.4, 0.8] },
     Shape::Cylinder { from: [-0.2, 2.9, 0.1], to: [0.2, 3.0, 0.1], radius: 0.2 },
 ];
 const SIZE: u32 = 160;
@@ -62,12 +62,12 @@ fn found<S: Simd>(simd: S, asked: &Asked) -> [f32; LANES] {
     let sight = line_of_sight(simd, asked.frame, F::simd_from(simd, asked.u), all(simd, asked.v));
     let ray = rest_ray(simd, &group, sight);
     let own = PacketBody::new(simd, &body.placement);
-    let center = asked.scene.solid(0).center();
+    let centre = asked.scene.solid(0).centre();
     let lanes = |part: &dyn Fn(&Hit) -> DVec3| {
         let axis = |axis: usize| F::from_fn(simd, |lane| part(&asked.hits[lane])[axis] as f32);
         V3::new(axis(0), axis(1), axis(2))
     };
-    let place = lanes(&|hit| hit.rest_position - center);
+    let place = lanes(&|hit| hit.rest_position - centre);
     let normal = lanes(&|hit| hit.rest_normal);
     let distance = F::from_fn(simd, |lane| asked.hits[lane].distance as f32);
     mark(simd, body.kind, &group, &own, body.pattern(), place, normal, &ray, distance).into()
