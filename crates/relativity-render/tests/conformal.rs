@@ -6,7 +6,7 @@ use relativity_render::{
     Appearance, Body, Camera, Method, PreparedScene, Projection, Renderers, Shape, View,
 };
 
-use crate::mercator::{self, Chart, FOLLOWED, along, pixel_centre, doppler_factor, gamma, rapidity, views};
+use crate::mercator::{self, Chart, FOLLOWED, along, doppler_factor, gamma, pixel_centre, rapidity, views};
 use crate::scenes::{still_life, time_seen_at, view_following};
 use crate::support::documented;
 
