@@ -42,5 +42,11 @@ film, axis = plt.subplots(figsize=(2.6, 1.5))
 axis.set_axis_off()
 axis.set_position([0, 0, 1, 1])
 shown = axis.imshow(frames[0])
-moves = FuncAnimation(film, lambda number: [shown.set_data(frames[number])], frames=len(frames))
-moves.save("film.gif", writer=PillowWriter(fps=2))
+
+
+def show(number):
+    shown.set_data(frames[number])
+    return [shown]
+
+
+FuncAnimation(film, show, frames=len(frames)).save("film.gif", writer=PillowWriter(fps=2))
