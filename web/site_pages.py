@@ -2,6 +2,7 @@
 of the Python package and, once `cargo doc` has made it, of the crates; and they turn formulas into MathML, which
 browsers draw by themselves."""
 
+import glob
 import html
 import os
 import posixpath
@@ -19,6 +20,8 @@ ELSEWHERE = {
     "CONTRIBUTING.md": "contributing.md",
     "assets/window.png": "pictures/window.png",
 }
+# The scripts of the gallery, which its page links to.
+ELSEWHERE |= {path: f"gallery/{os.path.basename(path)}" for path in glob.glob("crates/gamow-python/gallery/*.py")}
 PYTHON = "# Reference of the Python package\n\n::: gamow\n"
 
 CRATES = {"relativity_core": "the numerics", "relativity_render": "the renderers"}

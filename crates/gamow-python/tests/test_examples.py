@@ -1,18 +1,22 @@
-"""The guide's code, the notebooks, and the study on several workers."""
+"""The guide's code, the notebooks, the gallery, and the study on several workers."""
 
 import importlib
 import os
 import pathlib
 import re
+import runpy
 import subprocess
 import sys
+import warnings
 
 import gamow
 import pytest
 
 HERE = pathlib.Path(__file__).resolve().parents[1]
-GUIDE = HERE.parents[1] / "docs" / "python.md"
+DOCS = HERE.parents[1] / "docs"
+GUIDE = DOCS / "python.md"
 NOTEBOOKS = sorted((HERE / "notebooks").glob("*.py"))
+GALLERY = sorted(path for path in (HERE / "gallery").glob("*.py") if path.stem != "pictures")
 
 
 def test_the_guide_runs(tmp_path, monkeypatch):
@@ -40,6 +44,30 @@ def test_a_notebook_runs(notebook, tmp_path):
 
 def test_there_are_notebooks():
     assert [path.stem for path in NOTEBOOKS] == ["disparity_curves", "readings"]
+
+
+@pytest.mark.parametrize("example", GALLERY, ids=lambda path: path.stem)
+def test_an_example_of_the_gallery_runs(example, tmp_path, monkeypatch):
+    matplotlib = pytest.importorskip("matplotlib")
+    if "dask" in example.stem:
+        pytest.importorskip("dask.distributed")
+    matplotlib.use("Agg")
+    monkeypatch.chdir(tmp_path)
+    # In this process: to import the libraries ten times would take as long as the examples.
+    with matplotlib.rc_context(), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        runpy.run_path(str(example), run_name="__main__")
+    matplotlib.pyplot.close("all")
+    assert (tmp_path / f"{example.stem}.png").exists()
+
+
+def test_the_gallery_shows_every_example():
+    page = (DOCS / "gallery.md").read_text()
+    pictures = {path.stem: path for path in (DOCS / "pictures" / "gallery").iterdir()}
+    assert len(GALLERY) >= 10 and pictures.keys() == {example.stem for example in GALLERY}
+    for example in GALLERY:
+        assert f"gallery/{example.name})" in page and f"(pictures/gallery/{pictures[example.stem].name})" in page
+        assert pictures[example.stem].stat().st_size < 60_000
 
 
 def test_a_study_does_not_depend_on_the_number_of_workers(monkeypatch):

@@ -40,3 +40,10 @@ def test_the_stub_is_clean(tmp_path):
     words = [sys.executable, "-m", "mypy.stubtest", "gamow", "--ignore-missing-stub", "--allowlist", allowed, "--ignore-unused-allowlist"]
     done = subprocess.run(words, capture_output=True, text=True, cwd=tmp_path, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_package_is_typed(tmp_path):
+    pytest.importorskip("mypy")
+    words = [sys.executable, "-m", "mypy", "--cache-dir", tmp_path, "-p", "gamow"]
+    done = subprocess.run(words, capture_output=True, text=True, cwd=tmp_path, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
