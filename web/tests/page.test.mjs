@@ -200,6 +200,61 @@ test('another fragment is followed', () => inWindow('#beta=0.6', async window =>
     });
 }));
 
+// The message of the window is drawn, not text of the page: what is shown is seen by the address.
+const hashOf = window => window.page.evaluate(() => location.hash);
+
+test('a link that is followed leaves neither the start page nor a lesson on top', async () => {
+    await inWindow('#start', async window => {
+        await window.page.evaluate(() => { location.hash = '#scene=train&beta=0.8'; });
+        // The speed is changed by keys only where no page lies over the window.
+        await eventually('the train alone', async () => {
+            await window.press('ArrowUp');
+            await window.rest(1200);
+            const settings = await window.settings();
+            return settings.get('scene') === 'train' && Number(settings.get('beta')) > 0.8 && !settings.has('start');
+        });
+    });
+    await inWindow('#lesson=rods', async window => {
+        await window.page.evaluate(() => { location.hash = '#scene=globe&beta=0.7'; });
+        await eventually('the globe alone', async () => {
+            await window.press('ArrowUp');
+            await window.rest(1200);
+            const settings = await window.settings();
+            return settings.get('scene') === 'globe' && Number(settings.get('beta')) > 0.7 && !settings.has('lesson');
+        });
+    });
+});
+
+test('Back and Forward walk the start page, lessons and presets', () => inWindow('#scene=globe&beta=0.7', async window => {
+    const { page } = window;
+    const entries = () => page.evaluate(() => history.length);
+    const first = await entries();
+    await window.press('ArrowUp');
+    await eventually('a speed', async () => Number((await window.settings()).get('beta')) > 0.7);
+    assert.equal(await entries(), first, 'a change of speed is no entry');
+    const state = await hashOf(window);
+    await window.press('s');
+    await eventually('the start page', async () => /^#start/.test(await hashOf(window)));
+    await window.rest(1500);
+    await page.evaluate(() => { location.hash = '#lesson=rods'; });
+    await window.rest(2500);
+    assert.equal(await hashOf(window), '#lesson=rods');
+    assert.equal(await entries(), first + 2);
+    await page.evaluate(() => history.back());
+    await eventually('the start page', async () => /^#start/.test(await hashOf(window)));
+    await window.rest(1500);
+    await page.evaluate(() => history.back());
+    await eventually('the state', async () => await hashOf(window) === state);
+    // It stays, and can be changed.
+    await window.rest(2500);
+    assert.equal(await hashOf(window), state);
+    await page.evaluate(() => history.go(2));
+    await eventually('the lesson', async () => await hashOf(window) === '#lesson=rods');
+    await window.rest(2500);
+    assert.equal(await hashOf(window), '#lesson=rods');
+    assert.equal(await entries(), first + 2);
+}));
+
 test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6', async window => {
     await window.press('Escape');
     const ball = '[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n';

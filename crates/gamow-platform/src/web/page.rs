@@ -2,7 +2,7 @@
 
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
-use web_sys::{Element, Event, HtmlCanvasElement, Storage, Window};
+use web_sys::{Element, Event, History, HtmlCanvasElement, Storage, Window};
 
 /// Name under which a tab keeps why WebGPU has failed in it.
 const WEBGPU_FAILURE: &str = "gamow/webgpu-failure";
@@ -36,12 +36,26 @@ pub fn fragment() -> String {
 
 /// Replaces the fragment of the address, without a new entry in the browser's history.
 pub fn replace_fragment(fragment: &str) {
-    let history = window().and_then(|window| window.history().ok());
-    if let Some(history) = history {
-        let address = format!("{}#{fragment}", address());
+    if let Some(history) = history() {
         // A browser may refuse it when it comes too often: then the next one counts.
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&with_fragment(fragment)));
     }
+}
+
+/// Gives the address this fragment in a new entry of the browser's history, so that Back leads to the one
+/// before.
+pub fn push_fragment(fragment: &str) {
+    if let Some(history) = history() {
+        let _ = history.push_state_with_url(&JsValue::NULL, "", Some(&with_fragment(fragment)));
+    }
+}
+
+fn history() -> Option<History> {
+    window()?.history().ok()
+}
+
+fn with_fragment(fragment: &str) -> String {
+    format!("{}#{fragment}", address())
 }
 
 /// Tells the page that the window is shown, in place of its words.

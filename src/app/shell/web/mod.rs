@@ -21,6 +21,7 @@ use crate::app::state::State;
 use crate::app::state::files::reader::SceneReading;
 use crate::app::state::fitting::FitSteps;
 use crate::app::state::notice::Notice;
+use crate::app::state::overlay::Overlay;
 use crate::app::state::stage::Stage;
 use crate::app::tools::painting;
 use crate::app::tools::worker::{Work as _, serve as serve_work};
@@ -140,6 +141,9 @@ fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
         state.session.stage = Stage::presented();
     }
     state.session.stage.stereoscope = fragment.stereoscope;
+    if fragment.start {
+        state.session.overlay = Some(Overlay::Start);
+    }
     let problem = problem.map(Notice::error).or(notice);
     state.scratch.notice = problem.or(state.scratch.notice);
     Ok(state)

@@ -8,12 +8,14 @@ use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
 use gamow_platform::web::{page, tasks};
 
-use super::address::Fragment;
+use super::address::{Fragment, Opened};
 use super::webgpu::{self, FirstPicture};
 use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::shell::App;
+use crate::app::state::State;
 use crate::app::state::document::Document;
 use crate::app::state::lesson::LessonCommand;
+use crate::app::state::overlay::Overlay;
 
 /// Time between a change of the state and its appearance in the address.
 const REST: Duration = Duration::from_secs(1);
@@ -34,15 +36,30 @@ pub struct PageApp {
 struct Address {
     document: Document,
     fragment: Option<Fragment>,
+    opened: Option<Opened>,
     due: Option<Instant>,
+}
+
+impl Address {
+    fn from_state(state: &State) -> Self {
+        Self {
+            document: state.document.clone(),
+            fragment: Fragment::from_state(state),
+            opened: Opened::from_state(state),
+            due: None,
+        }
+    }
+
+    /// Returns the text behind the `#`.
+    fn text(&self) -> String {
+        self.fragment.as_ref().map(Fragment::to_text).unwrap_or_default()
+    }
 }
 
 impl PageApp {
     /// Shows `app`, which the `runner` runs, in the window of this `cc`.
     pub fn new(app: App, runner: WebRunner, cc: &CreationContext<'_>) -> Self {
-        let state = app.state();
-        let address =
-            Address { document: state.document.clone(), fragment: Fragment::from_state(state), due: None };
+        let address = Address::from_state(app.state());
         Self {
             app,
             runner,
@@ -55,13 +72,25 @@ impl PageApp {
         }
     }
 
-    /// Shows what another `fragment` of the address asks for.
+    /// Shows what another `fragment` of the address asks for, and nothing on top of that: the browser has gone
+    /// Back or Forward, or somebody has followed a link.
     pub fn follow(&mut self, fragment: &Fragment) {
-        if let Some(link) = fragment.link() {
-            self.app.run(FileCommand::Open(link));
-        }
         if let Some(lesson) = &fragment.lesson {
             self.app.run(LessonCommand::Open(lesson.clone()));
+        } else if self.app.state().course().is_some() {
+            self.app.run(LessonCommand::Close);
+        }
+        let overlay = self.app.state().session.overlay;
+        if let Some(shown) = overlay.filter(|shown| !(fragment.start && shown.is_page())) {
+            self.app.run(WindowCommand::Toggle(shown));
+        }
+        if fragment.start && !overlay.is_some_and(Overlay::is_page) {
+            self.app.run(WindowCommand::Toggle(Overlay::Start));
+        }
+        // `#start` and its like alone leave open what is shown behind them.
+        let leaves_open = fragment.link().is_none() && !fragment.welcomes();
+        if let Some(link) = fragment.link_to_follow().filter(|_| !leaves_open) {
+            self.app.run(FileCommand::Open(link));
         }
         if fragment.presents != self.app.state().session.stage.is_presented() {
             self.app.run(WindowCommand::TogglePresenting);
@@ -69,6 +98,9 @@ impl PageApp {
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
             self.app.run(WindowCommand::ToggleStereoscope);
         }
+        self.address.opened = Opened::from_state(self.app.state());
+        self.address.fragment = Some(fragment.clone());
+        self.ctx.request_repaint();
     }
 
     /// Takes how the device is turned.
@@ -96,14 +128,31 @@ impl PageApp {
         }
     }
 
-    /// Writes the state into the page's address, a while after a change.
+    /// Writes the state into the page's address: at once, and as a new entry of the browser's history, where a
+    /// lesson, a preset or the start page was opened; in place of the present one a while after another change.
     fn keep_address(&mut self, ctx: &Context) {
-        let Address { document, fragment, due } = &mut self.address;
+        // A link that is being read may still change everything.
+        if self.app.is_reading() {
+            return;
+        }
+        let state = self.app.state();
+        let opened = Opened::from_state(state);
+        if opened != self.address.opened {
+            if opened.is_some() {
+                // The address that is left may be shorter than its state, such as that of a first visit.
+                page::replace_fragment(&self.address.text());
+                self.address = Address::from_state(state);
+                page::push_fragment(&self.address.text());
+                return;
+            }
+            self.address.opened = None;
+        }
+        let Address { document, fragment, due, .. } = &mut self.address;
         let Some(since) = due else {
-            let state = self.app.state();
             let is_other = fragment.as_ref().is_some_and(|fragment| {
                 fragment.presents != state.session.stage.is_presented()
                     || fragment.stereoscope != state.session.stage.stereoscope
+                    || fragment.start != matches!(opened, Some(Opened::Start))
                     || fragment.lesson.is_some() != state.course().is_some()
             });
             if is_other || *document != state.document {
@@ -117,13 +166,11 @@ impl PageApp {
             ctx.request_repaint_after(rest);
             return;
         }
-        *due = None;
-        *document = self.app.state().document.clone();
-        let now = Fragment::from_state(self.app.state());
-        if *fragment != now {
-            page::replace_fragment(&now.as_ref().map(Fragment::to_text).unwrap_or_default());
-            *fragment = now;
+        let now = Address::from_state(state);
+        if now.fragment != self.address.fragment {
+            page::replace_fragment(&now.text());
         }
+        self.address = now;
     }
 
     /// Ends the window if its device is lost or shows nothing. WebGL 2 takes the place of WebGPU; without
