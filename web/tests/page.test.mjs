@@ -255,6 +255,30 @@ test('Back and Forward walk the start page, lessons and presets', () => inWindow
     assert.equal(await entries(), first + 2);
 }));
 
+// How a phone answers, whose main way to point is a finger.
+const coarse = () => {
+    const { matchMedia } = globalThis;
+    globalThis.matchMedia = query => query === '(pointer: coarse)' ? { matches: true } : matchMedia.call(globalThis, query);
+};
+
+test('the first swipe of a finger scrolls', async () => {
+    const window = await Window.open(browser, server.address, '#start', coarse);
+    await window.page.setViewport({ width: 360, height: 740, deviceScaleFactor: 0 });
+    await window.rest(2500);
+    const picture = () => window.page.screenshot({ type: 'png', encoding: 'base64', clip: { x: 20, y: 500, width: 320, height: 200 } });
+    const before = await picture();
+    await window.rest(1000);
+    assert.equal(await picture(), before, 'nothing moves by itself there');
+    const finger = await window.page.touchscreen.touchStart(180, 650);
+    for (let y = 640; y >= 350; y -= 30) {
+        await finger.move(180, y);
+        await window.rest(30);
+    }
+    await finger.end();
+    await eventually('what is further down', async () => await picture() !== before, 20_000);
+    await window.close();
+});
+
 test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6', async window => {
     await window.press('Escape');
     const ball = '[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n';

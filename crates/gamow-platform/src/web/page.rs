@@ -135,11 +135,22 @@ pub fn screen_sides() -> Option<[f32; 2]> {
 /// Whether the system asks for less motion.
 #[must_use]
 pub fn is_motion_reduced() -> bool {
+    has_media("(prefers-reduced-motion: reduce)")
+}
+
+/// Whether the main way to point is coarse, such as a finger.
+#[must_use]
+pub fn has_coarse_pointer() -> bool {
+    has_media("(pointer: coarse)")
+}
+
+/// Whether the browser's screen and system are as this media query asks.
+fn has_media(query: &str) -> bool {
     let is_so = || {
         let window = window()?;
         let asked = js_sys::Reflect::get(&window, &"matchMedia".into()).ok()?;
         let asked = asked.dyn_into::<js_sys::Function>().ok()?;
-        let answer = asked.call1(&window, &"(prefers-reduced-motion: reduce)".into()).ok()?;
+        let answer = asked.call1(&window, &query.into()).ok()?;
         js_sys::Reflect::get(&answer, &"matches".into()).ok()?.as_bool()
     };
     is_so().unwrap_or(false)

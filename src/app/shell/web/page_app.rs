@@ -3,7 +3,7 @@
 
 use std::time::Duration;
 
-use eframe::egui::{Context, RawInput, Ui, Vec2};
+use eframe::egui::{Context, Event, Pos2, RawInput, TouchDeviceId, TouchId, TouchPhase, Ui, Vec2};
 use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
 use gamow_platform::web::{page, tasks};
@@ -28,6 +28,7 @@ pub struct PageApp {
     address: Address,
     is_stereoscope: bool,
     is_webgpu: bool,
+    is_new_to_touch: bool,
     first_picture: FirstPicture,
     has_ended: bool,
 }
@@ -67,6 +68,7 @@ impl PageApp {
             address,
             is_stereoscope: false,
             is_webgpu: webgpu::is_used(cc),
+            is_new_to_touch: true,
             first_picture: FirstPicture::default(),
             has_ended: false,
         }
@@ -208,6 +210,18 @@ impl eframe::App for PageApp {
     }
 
     fn raw_input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
+        // The toolkit lets a finger scroll once it knows of a touch screen, which it learns of by a touch: the
+        // first swipe would do nothing.
+        if self.is_new_to_touch && page::has_coarse_pointer() {
+            input.events.push(Event::Touch {
+                device_id: TouchDeviceId(0),
+                id: TouchId(u64::MAX),
+                phase: TouchPhase::Cancel,
+                pos: Pos2::ZERO,
+                force: None,
+            });
+        }
+        self.is_new_to_touch = false;
         // The windowing library knows nothing of a browser's screen.
         if let (Some(sides), Some(viewport)) =
             (page::screen_sides(), input.viewports.get_mut(&input.viewport_id))
