@@ -45,6 +45,25 @@ document.getElementById('gamow').addEventListener('webglcontextlost', () => {
     showProblem('The browser has taken the graphics away. What was shown is in the address.');
 });
 
+// The text of which the browser has refused a copy.
+addEventListener('gamow-text', () => {
+    const copy = document.getElementById('copy'), text = copy.querySelector('textarea');
+    text.value = document.documentElement.dataset.text;
+    copy.hidden = false;
+    text.focus();
+    text.select();
+    const close = () => {
+        copy.hidden = true;
+        document.getElementById('gamow').focus();
+    };
+    copy.querySelector('button').onclick = close;
+    copy.onkeydown = event => {
+        // The keys are not for the window below.
+        event.stopPropagation();
+        if (event.key === 'Escape') close();
+    };
+});
+
 // Bytes that have come, in place of silence on a slow line.
 async function loaded(path) {
     const response = await fetch(path);

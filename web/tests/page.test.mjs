@@ -279,6 +279,23 @@ test('the first swipe of a finger scrolls', async () => {
     await window.close();
 });
 
+test('a text that the browser does not copy is shown selected', async () => {
+    const refused = () => {
+        Clipboard.prototype.writeText = () => Promise.reject(new DOMException('refused', 'NotAllowedError'));
+    };
+    const window = await Window.open(browser, server.address, '#scene=rods&beta=0.7&refine=off', refused);
+    await window.act('copy a link');
+    await eventually('the text', () => window.page.evaluate(() => !document.getElementById('copy').hidden));
+    const selected = await window.page.evaluate(() => {
+        const { value, selectionStart, selectionEnd } = document.querySelector('#copy textarea');
+        return value.slice(selectionStart, selectionEnd);
+    });
+    assert.ok(selected.endsWith('#scene=rods&beta=0.7&refine=off') || /#.*beta=0.7/.test(selected), selected);
+    await window.page.keyboard.press('Escape');
+    assert.ok(await window.page.evaluate(() => document.getElementById('copy').hidden));
+    await window.close();
+});
+
 test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6', async window => {
     await window.press('Escape');
     const ball = '[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n';

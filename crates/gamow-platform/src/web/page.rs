@@ -2,6 +2,7 @@
 
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
+use wasm_bindgen_futures::JsFuture;
 use web_sys::{Element, Event, History, HtmlCanvasElement, Storage, Window};
 
 /// Name under which a tab keeps why WebGPU has failed in it.
@@ -90,6 +91,21 @@ pub fn reload_without_webgpu(reason: &str) -> bool {
     let is_new = webgpu_failure().is_none();
     let is_kept = || tab_storage().is_some_and(|storage| storage.set_item(WEBGPU_FAILURE, reason).is_ok());
     is_new && is_kept() && window().is_some_and(|window| window.location().reload().is_ok())
+}
+
+/// Copies `text` to the clipboard; returns whether the browser says that it has.
+pub async fn copy_text(text: &str) -> bool {
+    // Elsewhere there is no clipboard at all.
+    let Some(window) = window().filter(Window::is_secure_context) else { return false };
+    JsFuture::from(window.navigator().clipboard().write_text(text)).await.is_ok()
+}
+
+/// Has the page show `text` over the window, selected, for the user to copy.
+pub fn offer_text(text: &str) {
+    if let Some(root) = root() {
+        let _ = root.set_attribute("data-text", text);
+    }
+    tell("gamow-text");
 }
 
 /// Has the page show a sentence and a button to load it again, in place of the window.

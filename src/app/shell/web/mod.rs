@@ -2,6 +2,7 @@
 //! page's address holds the state.
 
 mod address;
+mod copying;
 mod page_app;
 mod webgpu;
 
@@ -13,6 +14,7 @@ use gamow_platform::files;
 use gamow_platform::web::{instances, page, tasks};
 
 use self::address::Fragment;
+pub(in crate::app::shell) use self::copying::Copying;
 use self::page_app::PageApp;
 use crate::app::commands::saving::SavingStep;
 use crate::app::shell::App;
