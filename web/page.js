@@ -64,6 +64,16 @@ addEventListener('gamow-text', () => {
     };
 });
 
+// The bytes of the program, which web/build writes here: a server that compresses it tells fewer.
+const TOTAL = 0;
+
+function showProgress(bytes) {
+    const megabytes = number => (number / 1e6).toFixed(1), bar = document.getElementById('bar');
+    const total = TOTAL > 0 ? ` of ${megabytes(TOTAL)}` : '';
+    document.getElementById('progress').textContent = `Loading… ${megabytes(bytes)}${total} MB`;
+    if (TOTAL > 0) [bar.max, bar.value] = [TOTAL, bytes];
+}
+
 // Bytes that have come, in place of silence on a slow line.
 async function loaded(path) {
     const response = await fetch(path);
@@ -73,7 +83,7 @@ async function loaded(path) {
     const counted = new TransformStream({
         transform(chunk, controller) {
             bytes += chunk.byteLength;
-            document.getElementById('progress').textContent = `Loading… ${(bytes / 1e6).toFixed(1)} MB`;
+            showProgress(bytes);
             controller.enqueue(chunk);
         },
     });

@@ -296,6 +296,39 @@ test('a text that the browser does not copy is shown selected', async () => {
     await window.close();
 });
 
+test('while the page loads it asks the first question, and shows how much has come', async () => {
+    const page = await browser.newPage();
+    await page.evaluateOnNewDocument(() => {
+        globalThis.shares = [];
+        new MutationObserver(() => {
+            const bar = document.getElementById('bar');
+            if (bar?.max > 1) globalThis.shares.push(bar.value / bar.max);
+        }).observe(document, { subtree: true, childList: true, attributes: true });
+    });
+    await page.goto(server.address);
+    await page.waitForFunction(() => document.getElementById('loading').hidden, { timeout: 180_000 });
+    const { words, image, shares, language, title } = await page.evaluate(() => ({
+        words: document.getElementById('loading').textContent,
+        image: document.querySelector('#loading img').naturalWidth,
+        shares: globalThis.shares,
+        language: document.documentElement.lang,
+        title: document.querySelector('meta[property="og:title"]').content,
+    }));
+    assert.match(words, /first question/);
+    assert.doesNotMatch(words, /cargo/);
+    assert.equal(image, 320);
+    assert.equal(shares.at(-1), 1);
+    assert.equal(language, 'en');
+    assert.match(title, /Gamow/);
+    await page.close();
+});
+
+test('the window has a name and a role for screen readers', () => inWindow('#scene=globe', async window => {
+    const tree = await window.page.accessibility.snapshot({ interestingOnly: false });
+    const named = node => [node, ...(node.children ?? []).flatMap(named)].filter(({ name }) => /^Gamow: what/.test(name ?? ''));
+    assert.ok(named(tree).some(({ role }) => role === 'application'), JSON.stringify(named(tree).map(({ role, name }) => [role, name])));
+}));
+
 test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6', async window => {
     await window.press('Escape');
     const ball = '[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n';
