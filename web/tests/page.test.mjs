@@ -1,7 +1,8 @@
 // The page in Chromium, by WebGL and once by WebGPU, both in software.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { NOTHING, WEBGPU, Window, eventually, hasScreens, launch, openScreen, serve } from './browser.mjs';
@@ -328,6 +329,18 @@ test('the window has a name and a role for screen readers', () => inWindow('#sce
     const named = node => [node, ...(node.children ?? []).flatMap(named)].filter(({ name }) => /^Gamow: what/.test(name ?? ''));
     assert.ok(named(tree).some(({ role }) => role === 'application'), JSON.stringify(named(tree).map(({ role, name }) => [role, name])));
 }));
+
+test('the page as one file opens from a disk, and works', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'gamow-packed-'));
+    execFileSync('web/pack', [folder], { env: { ...process.env, VERSION: 'test' } });
+    const window = await Window.open(browser, `file://${folder}/gamow-test-page.html`, '#scene=globe&beta=0.9');
+    await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+    // The instances beside the page's thread, too.
+    await eventually('a smoother picture', async () => await window.answers() >= 1);
+    assert.equal(await window.problem(), '');
+    rmSync(folder, { recursive: true });
+    await window.close();
+});
 
 test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6', async window => {
     await window.press('Escape');
