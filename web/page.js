@@ -45,6 +45,35 @@ document.getElementById('gamow').addEventListener('webglcontextlost', () => {
     showProblem('The browser has taken the graphics away. What was shown is in the address.');
 });
 
+// The text of which the browser has refused a copy.
+addEventListener('gamow-text', () => {
+    const copy = document.getElementById('copy'), text = copy.querySelector('textarea');
+    text.value = document.documentElement.dataset.text;
+    copy.hidden = false;
+    text.focus();
+    text.select();
+    const close = () => {
+        copy.hidden = true;
+        document.getElementById('gamow').focus();
+    };
+    copy.querySelector('button').onclick = close;
+    copy.onkeydown = event => {
+        // The keys are not for the window below.
+        event.stopPropagation();
+        if (event.key === 'Escape') close();
+    };
+});
+
+// The bytes of the program, which web/build writes here: a server that compresses it tells fewer.
+const TOTAL = 0;
+
+function showProgress(bytes) {
+    const megabytes = number => (number / 1e6).toFixed(1), bar = document.getElementById('bar');
+    const total = TOTAL > 0 ? ` of ${megabytes(TOTAL)}` : '';
+    document.getElementById('progress').textContent = `Loading… ${megabytes(bytes)}${total} MB`;
+    if (TOTAL > 0) [bar.max, bar.value] = [TOTAL, bytes];
+}
+
 // Bytes that have come, in place of silence on a slow line.
 async function loaded(path) {
     const response = await fetch(path);
@@ -54,7 +83,7 @@ async function loaded(path) {
     const counted = new TransformStream({
         transform(chunk, controller) {
             bytes += chunk.byteLength;
-            document.getElementById('progress').textContent = `Loading… ${(bytes / 1e6).toFixed(1)} MB`;
+            showProgress(bytes);
             controller.enqueue(chunk);
         },
     });

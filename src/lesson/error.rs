@@ -3,8 +3,6 @@
 use gamow_platform::messages;
 use thiserror::Error;
 
-use crate::similar::did_you_mean;
-
 /// A lesson, or a sequence of lessons and states, that cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum LessonError {
@@ -20,14 +18,15 @@ pub enum LessonError {
     },
     /// Neither the name of a lesson nor a path.
     #[error(
-        "no lesson is called `{}`{}: there are {known}; for a file, give its name with its ending",
-        messages::excerpt(name),
-        did_you_mean(known.split(", "), name)
+        "no lesson is called `{}`{meant}: there are {known}; for a file, give its name with its ending",
+        messages::excerpt(name)
     )]
     Unknown {
         /// Name that was given.
         name: String,
-        /// The names of all.
+        /// The question for the lesson or preset of nearly this name, if there is one.
+        meant: String,
+        /// The names of all lessons.
         known: String,
     },
     /// A problem in the lesson's text.

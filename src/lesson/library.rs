@@ -10,6 +10,7 @@ use super::error::LessonError;
 use super::plan::Lesson;
 use crate::scene::looks_like_a_name;
 use crate::settings::Preset;
+use crate::similar::did_you_mean;
 
 macro_rules! files {
     ($($name:literal),* $(,)?) => {
@@ -161,8 +162,11 @@ impl Library {
             return Ok(Arc::clone(known));
         }
         if let Some(name) = name.filter(|name| looks_like_a_name(name)) {
-            let known = self.lessons.iter().map(|lesson| lesson.name.as_str()).collect::<Vec<_>>().join(", ");
-            return Err(LessonError::Unknown { name: name.to_owned(), known });
+            let meant = did_you_mean(self.lessons.iter().map(|lesson| lesson.name.as_str()), name);
+            // A preset opens as a lesson, too, but is none.
+            let lessons = self.lessons.iter().filter(|lesson| !lesson.is_a_preset());
+            let known = lessons.map(|lesson| lesson.name.as_str()).collect::<Vec<_>>().join(", ");
+            return Err(LessonError::Unknown { name: name.to_owned(), meant, known });
         }
         Lesson::load(path).map(Arc::new)
     }
@@ -196,6 +200,14 @@ mod tests {
         let names: BTreeSet<_> = library.all().iter().map(|lesson| lesson.name.as_str()).collect();
         assert_eq!(names.len(), library.all().len());
         assert_eq!(names.len(), OWN.len() + Preset::all().len());
+    }
+
+    #[test]
+    fn a_wrong_name_is_answered_with_the_lessons_and_not_with_the_presets() {
+        let error = |name: &str| Library::own().open(name).expect_err("there is none").to_string();
+        let (lesson, preset) = (error("rodds"), error("tramm"));
+        assert!(lesson.contains("did you mean `rods`?") && lesson.contains("there are rods, "), "{lesson}");
+        assert!(preset.contains("did you mean `tram`?") && !preset.contains("globe"), "{preset}");
     }
 
     #[test]

@@ -1,7 +1,8 @@
 // The page in Chromium, by WebGL and once by WebGPU, both in software.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { NOTHING, WEBGPU, Window, eventually, hasScreens, launch, openScreen, serve } from './browser.mjs';
@@ -192,13 +193,155 @@ test('a link leads to the same state', () => inWindow('#beta=0.99&scene=wheel&co
 
 test('another fragment is followed', () => inWindow('#beta=0.6', async window => {
     await window.page.evaluate(() => { location.hash = '#scene=train&beta=0.8'; });
-    await window.rest(1500);
-    await window.press('ArrowUp');
     await eventually('the train', async () => {
+        // A key that comes before the train is there changes the speed of what it takes the place of.
+        await window.press('ArrowUp');
+        await window.rest(1200);
         const settings = await window.settings();
         return settings.get('scene') === 'train' && Number(settings.get('beta')) > 0.8;
     });
 }));
+
+// The message of the window is drawn, not text of the page: what is shown is seen by the address.
+const hashOf = window => window.page.evaluate(() => location.hash);
+
+test('a link that is followed leaves neither the start page nor a lesson on top', async () => {
+    await inWindow('#start', async window => {
+        await window.page.evaluate(() => { location.hash = '#scene=train&beta=0.8'; });
+        // The speed is changed by keys only where no page lies over the window.
+        await eventually('the train alone', async () => {
+            await window.press('ArrowUp');
+            await window.rest(1200);
+            const settings = await window.settings();
+            return settings.get('scene') === 'train' && Number(settings.get('beta')) > 0.8 && !settings.has('start');
+        });
+    });
+    await inWindow('#lesson=rods', async window => {
+        await window.page.evaluate(() => { location.hash = '#scene=globe&beta=0.7'; });
+        await eventually('the globe alone', async () => {
+            await window.press('ArrowUp');
+            await window.rest(1200);
+            const settings = await window.settings();
+            return settings.get('scene') === 'globe' && Number(settings.get('beta')) > 0.7 && !settings.has('lesson');
+        });
+    });
+});
+
+test('Back and Forward walk the start page, lessons and presets', () => inWindow('#scene=globe&beta=0.7', async window => {
+    const { page } = window;
+    const entries = () => page.evaluate(() => history.length);
+    const first = await entries();
+    await window.press('ArrowUp');
+    await eventually('a speed', async () => Number((await window.settings()).get('beta')) > 0.7);
+    assert.equal(await entries(), first, 'a change of speed is no entry');
+    const state = await hashOf(window);
+    await window.press('s');
+    await eventually('the start page', async () => /^#start/.test(await hashOf(window)));
+    await window.rest(1500);
+    await page.evaluate(() => { location.hash = '#lesson=rods'; });
+    await window.rest(2500);
+    assert.equal(await hashOf(window), '#lesson=rods');
+    assert.equal(await entries(), first + 2);
+    await page.evaluate(() => history.back());
+    await eventually('the start page', async () => /^#start/.test(await hashOf(window)));
+    await window.rest(1500);
+    await page.evaluate(() => history.back());
+    await eventually('the state', async () => await hashOf(window) === state);
+    // It stays, and can be changed.
+    await window.rest(2500);
+    assert.equal(await hashOf(window), state);
+    await page.evaluate(() => history.go(2));
+    await eventually('the lesson', async () => await hashOf(window) === '#lesson=rods');
+    await window.rest(2500);
+    assert.equal(await hashOf(window), '#lesson=rods');
+    assert.equal(await entries(), first + 2);
+}));
+
+// How a phone answers, whose main way to point is a finger.
+const coarse = () => {
+    const { matchMedia } = globalThis;
+    globalThis.matchMedia = query => query === '(pointer: coarse)' ? { matches: true } : matchMedia.call(globalThis, query);
+};
+
+test('the first swipe of a finger scrolls', async () => {
+    const window = await Window.open(browser, server.address, '#start', coarse);
+    await window.page.setViewport({ width: 360, height: 740, deviceScaleFactor: 0 });
+    await window.rest(2500);
+    const picture = () => window.page.screenshot({ type: 'png', encoding: 'base64', clip: { x: 20, y: 500, width: 320, height: 200 } });
+    const before = await picture();
+    await window.rest(1000);
+    assert.equal(await picture(), before, 'nothing moves by itself there');
+    const finger = await window.page.touchscreen.touchStart(180, 650);
+    for (let y = 640; y >= 350; y -= 30) {
+        await finger.move(180, y);
+        await window.rest(30);
+    }
+    await finger.end();
+    await eventually('what is further down', async () => await picture() !== before, 20_000);
+    await window.close();
+});
+
+test('a text that the browser does not copy is shown selected', async () => {
+    const refused = () => {
+        Clipboard.prototype.writeText = () => Promise.reject(new DOMException('refused', 'NotAllowedError'));
+    };
+    const window = await Window.open(browser, server.address, '#scene=rods&beta=0.7&refine=off', refused);
+    await window.act('copy a link');
+    await eventually('the text', () => window.page.evaluate(() => !document.getElementById('copy').hidden));
+    const selected = await window.page.evaluate(() => {
+        const { value, selectionStart, selectionEnd } = document.querySelector('#copy textarea');
+        return value.slice(selectionStart, selectionEnd);
+    });
+    assert.ok(selected.endsWith('#scene=rods&beta=0.7&refine=off') || /#.*beta=0.7/.test(selected), selected);
+    await window.page.keyboard.press('Escape');
+    assert.ok(await window.page.evaluate(() => document.getElementById('copy').hidden));
+    await window.close();
+});
+
+test('while the page loads it asks the first question, and shows how much has come', async () => {
+    const page = await browser.newPage();
+    await page.evaluateOnNewDocument(() => {
+        globalThis.shares = [];
+        new MutationObserver(() => {
+            const bar = document.getElementById('bar');
+            if (bar?.max > 1) globalThis.shares.push(bar.value / bar.max);
+        }).observe(document, { subtree: true, childList: true, attributes: true });
+    });
+    await page.goto(server.address);
+    await page.waitForFunction(() => document.getElementById('loading').hidden, { timeout: 180_000 });
+    const { words, image, shares, language, title } = await page.evaluate(() => ({
+        words: document.getElementById('loading').textContent,
+        image: document.querySelector('#loading img').naturalWidth,
+        shares: globalThis.shares,
+        language: document.documentElement.lang,
+        title: document.querySelector('meta[property="og:title"]').content,
+    }));
+    assert.match(words, /first question/);
+    assert.doesNotMatch(words, /cargo/);
+    assert.equal(image, 320);
+    assert.equal(shares.at(-1), 1);
+    assert.equal(language, 'en');
+    assert.match(title, /Gamow/);
+    await page.close();
+});
+
+test('the window has a name and a role for screen readers', () => inWindow('#scene=globe', async window => {
+    const tree = await window.page.accessibility.snapshot({ interestingOnly: false });
+    const named = node => [node, ...(node.children ?? []).flatMap(named)].filter(({ name }) => /^Gamow: what/.test(name ?? ''));
+    assert.ok(named(tree).some(({ role }) => role === 'application'), JSON.stringify(named(tree).map(({ role, name }) => [role, name])));
+}));
+
+test('the page as one file opens from a disk, and works', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'gamow-packed-'));
+    execFileSync('web/pack', [folder], { env: { ...process.env, VERSION: 'test' } });
+    const window = await Window.open(browser, `file://${folder}/gamow-test-page.html`, '#scene=globe&beta=0.9');
+    await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+    // The instances beside the page's thread, too.
+    await eventually('a smoother picture', async () => await window.answers() >= 1);
+    assert.equal(await window.problem(), '');
+    rmSync(folder, { recursive: true });
+    await window.close();
+});
 
 test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6', async window => {
     await window.press('Escape');

@@ -92,6 +92,9 @@ pub struct App {
     chooser: Chooser,
     reader: Reader,
     saver: Saver,
+    /// The text that the browser is copying.
+    #[cfg(not(feature = "desktop"))]
+    copying: Option<web::Copying>,
     thumbnails: Thumbnails,
     /// The moving picture of the start page, while that is shown.
     start_picture: Option<StartPicture>,
@@ -140,6 +143,8 @@ impl App {
             chooser: Chooser::default(),
             reader: Reader::new(ctx.clone()),
             saver: Saver::default(),
+            #[cfg(not(feature = "desktop"))]
+            copying: None,
             thumbnails: Thumbnails::default(),
             start_picture: None,
             watch: None,

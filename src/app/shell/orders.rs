@@ -9,7 +9,7 @@ use crate::app::commands::saving::MOST_FRAMES;
 use crate::app::commands::saving::work::{SaveJob, SaveOutcome, SceneSnapshot, name_of};
 use crate::app::shell::App;
 #[cfg(not(feature = "desktop"))]
-use crate::app::shell::web::link_to;
+use crate::app::shell::web::{Copying, link_to};
 use crate::app::state::files::purpose::Product;
 use crate::app::state::notice::Notice;
 use crate::app::state::orders::{Copied, Order, Saving};
@@ -22,6 +22,13 @@ use crate::scene::is_model;
 use crate::settings::link_of_pairs as link_to;
 use crate::settings::{Daylight, Settings};
 use crate::studio::film::{FilmKind, loop_times};
+
+/// The message that the picture was copied. A page cannot see what the browser does with it.
+const PICTURE_COPIED: &str = if cfg!(feature = "desktop") {
+    "Copied the picture."
+} else {
+    "The browser was given the picture to copy."
+};
 
 impl App {
     /// Fulfils the orders, and reports the outcome of earlier ones.
@@ -39,11 +46,15 @@ impl App {
             }
         }
         let ctx = ui.ctx();
+        #[cfg(not(feature = "desktop"))]
+        if let Some(notice) = Copying::take_done(&mut self.copying) {
+            self.tell(ctx, notice);
+        }
         match self.saver.made() {
             None => {}
             Some(SaveOutcome::File(path, text)) => self.tell(ctx, Notice::done(text).about(&path)),
             Some(SaveOutcome::Picture(Picture { size, rgba })) => {
-                self.tell(ctx, Notice::done("Copied the picture."));
+                self.tell(ctx, Notice::done(PICTURE_COPIED));
                 ctx.copy_image(image::of_pixels(size, &rgba));
             }
             Some(SaveOutcome::Nothing(path, problem)) => self.tell(ctx, Notice::error(problem).about(&path)),
@@ -184,10 +195,22 @@ impl App {
                 // What is copied as a line is short enough to be shown.
                 let shown =
                     if copied == Copied::Values { "the values at T".to_owned() } else { text.clone() };
-                ctx.copy_text(text);
-                self.tell(ctx, Notice::done(format!("Copied: {shown}")));
+                self.copy_text(ctx, text, Notice::done(format!("Copied: {shown}")));
             }
             Err(problem) => self.tell(ctx, Notice::error(problem)),
         }
+    }
+
+    /// Copies `text`, and shows the `notice` once that is done.
+    #[cfg(feature = "desktop")]
+    fn copy_text(&mut self, ctx: &Context, text: String, notice: Notice) {
+        ctx.copy_text(text);
+        self.tell(ctx, notice);
+    }
+
+    /// Has the browser copy `text`, and shows the `notice` once that is done.
+    #[cfg(not(feature = "desktop"))]
+    fn copy_text(&mut self, ctx: &Context, text: String, notice: Notice) {
+        self.copying = Some(Copying::begin(ctx, text, notice));
     }
 }

@@ -2,7 +2,8 @@
 
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
-use web_sys::{Element, Event, HtmlCanvasElement, Storage, Window};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Element, Event, History, HtmlCanvasElement, Storage, Window};
 
 /// Name under which a tab keeps why WebGPU has failed in it.
 const WEBGPU_FAILURE: &str = "gamow/webgpu-failure";
@@ -36,12 +37,26 @@ pub fn fragment() -> String {
 
 /// Replaces the fragment of the address, without a new entry in the browser's history.
 pub fn replace_fragment(fragment: &str) {
-    let history = window().and_then(|window| window.history().ok());
-    if let Some(history) = history {
-        let address = format!("{}#{fragment}", address());
+    if let Some(history) = history() {
         // A browser may refuse it when it comes too often: then the next one counts.
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&with_fragment(fragment)));
     }
+}
+
+/// Gives the address this fragment in a new entry of the browser's history, so that Back leads to the one
+/// before.
+pub fn push_fragment(fragment: &str) {
+    if let Some(history) = history() {
+        let _ = history.push_state_with_url(&JsValue::NULL, "", Some(&with_fragment(fragment)));
+    }
+}
+
+fn history() -> Option<History> {
+    window()?.history().ok()
+}
+
+fn with_fragment(fragment: &str) -> String {
+    format!("{}#{fragment}", address())
 }
 
 /// Tells the page that the window is shown, in place of its words.
@@ -76,6 +91,21 @@ pub fn reload_without_webgpu(reason: &str) -> bool {
     let is_new = webgpu_failure().is_none();
     let is_kept = || tab_storage().is_some_and(|storage| storage.set_item(WEBGPU_FAILURE, reason).is_ok());
     is_new && is_kept() && window().is_some_and(|window| window.location().reload().is_ok())
+}
+
+/// Copies `text` to the clipboard; returns whether the browser says that it has.
+pub async fn copy_text(text: &str) -> bool {
+    // Elsewhere there is no clipboard at all.
+    let Some(window) = window().filter(Window::is_secure_context) else { return false };
+    JsFuture::from(window.navigator().clipboard().write_text(text)).await.is_ok()
+}
+
+/// Has the page show `text` over the window, selected, for the user to copy.
+pub fn offer_text(text: &str) {
+    if let Some(root) = root() {
+        let _ = root.set_attribute("data-text", text);
+    }
+    tell("gamow-text");
 }
 
 /// Has the page show a sentence and a button to load it again, in place of the window.
@@ -121,11 +151,22 @@ pub fn screen_sides() -> Option<[f32; 2]> {
 /// Whether the system asks for less motion.
 #[must_use]
 pub fn is_motion_reduced() -> bool {
+    has_media("(prefers-reduced-motion: reduce)")
+}
+
+/// Whether the main way to point is coarse, such as a finger.
+#[must_use]
+pub fn has_coarse_pointer() -> bool {
+    has_media("(pointer: coarse)")
+}
+
+/// Whether the browser's screen and system are as this media query asks.
+fn has_media(query: &str) -> bool {
     let is_so = || {
         let window = window()?;
         let asked = js_sys::Reflect::get(&window, &"matchMedia".into()).ok()?;
         let asked = asked.dyn_into::<js_sys::Function>().ok()?;
-        let answer = asked.call1(&window, &"(prefers-reduced-motion: reduce)".into()).ok()?;
+        let answer = asked.call1(&window, &query.into()).ok()?;
         js_sys::Reflect::get(&answer, &"matches".into()).ok()?.as_bool()
     };
     is_so().unwrap_or(false)

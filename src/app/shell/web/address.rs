@@ -1,9 +1,10 @@
 //! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`,
-//! `#stereoscope`.
+//! `#stereoscope`, `#start`.
 
 use std::path::PathBuf;
 
 use crate::app::state::State;
+use crate::app::state::overlay::Overlay;
 use crate::settings::{Settings, link_of_pairs};
 
 /// The fragment of an address.
@@ -15,6 +16,8 @@ pub struct Fragment {
     pub presents: bool,
     /// Whether the window is the screen of a stereoscope.
     pub stereoscope: bool,
+    /// Whether the start page lies over the window.
+    pub start: bool,
     /// The settings that differ from the defaults, as in a link.
     pairs: String,
 }
@@ -29,6 +32,7 @@ impl Fragment {
                 Some(("lesson", name)) => fragment.lesson = Some(name.to_owned()),
                 None if part == "present" => fragment.presents = true,
                 None if part == "stereoscope" => fragment.stereoscope = true,
+                None if part == "start" => fragment.start = true,
                 _ => pairs.push(part),
             }
         }
@@ -44,7 +48,8 @@ impl Fragment {
         };
         let pairs = if lesson.is_some() { String::new() } else { state.shown().link_pairs().ok()? };
         let stage = &state.session.stage;
-        Some(Self { lesson, presents: stage.is_presented(), stereoscope: stage.stereoscope, pairs })
+        let start = is_start_page(state);
+        Some(Self { lesson, presents: stage.is_presented(), stereoscope: stage.stereoscope, start, pairs })
     }
 
     /// Returns the text behind the `#`.
@@ -52,8 +57,10 @@ impl Fragment {
         let lesson = self.lesson.as_ref().map(|name| format!("lesson={name}"));
         let presents = self.presents.then(|| "present".to_owned());
         let stereoscope = self.stereoscope.then(|| "stereoscope".to_owned());
+        let start = self.start.then(|| "start".to_owned());
         let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
-        lesson.into_iter().chain(presents).chain(stereoscope).chain(pairs).collect::<Vec<_>>().join("&")
+        let parts = lesson.into_iter().chain(presents).chain(stereoscope).chain(start).chain(pairs);
+        parts.collect::<Vec<_>>().join("&")
     }
 
     /// Whether the address leaves open what is shown, so that a newcomer may be welcomed.
@@ -66,6 +73,12 @@ impl Fragment {
         (!self.pairs.is_empty()).then(|| PathBuf::from(link_of_pairs(&self.pairs)))
     }
 
+    /// Returns the link to what is shown at this address: its settings, and defaults for all others. `None` for
+    /// a lesson, which has its own.
+    pub fn link_to_follow(&self) -> Option<PathBuf> {
+        self.lesson.is_none().then(|| PathBuf::from(link_of_pairs(&self.pairs)))
+    }
+
     /// Returns the settings that it leads to, and a message if there is something wrong with it. What it does
     /// not name is as it was `left`, or for what is shown the default.
     pub fn settings(&self, left: Settings) -> (Settings, Option<String>) {
@@ -74,5 +87,29 @@ impl Fragment {
             Ok(settings) => (settings, None),
             Err(error) => (left, Some(error.to_string())),
         }
+    }
+}
+
+/// Whether the start page, or one of those behind it, lies over the window.
+fn is_start_page(state: &State) -> bool {
+    state.session.overlay.is_some_and(Overlay::is_page)
+}
+
+/// A place that a reader opens, and comes back to by the browser's Back.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Opened {
+    /// The start page.
+    Start,
+    /// The lesson, or the preset, of this name.
+    Lesson(String),
+}
+
+impl Opened {
+    /// Returns the opened place of `state`, if any.
+    pub fn from_state(state: &State) -> Option<Self> {
+        if is_start_page(state) {
+            return Some(Self::Start);
+        }
+        state.course().map(|course| Self::Lesson(course.lesson().name.clone()))
     }
 }

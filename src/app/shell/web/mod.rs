@@ -2,6 +2,7 @@
 //! page's address holds the state.
 
 mod address;
+mod copying;
 mod page_app;
 mod webgpu;
 
@@ -13,6 +14,7 @@ use gamow_platform::files;
 use gamow_platform::web::{instances, page, tasks};
 
 use self::address::Fragment;
+pub(in crate::app::shell) use self::copying::Copying;
 use self::page_app::PageApp;
 use crate::app::commands::saving::SavingStep;
 use crate::app::shell::App;
@@ -21,6 +23,7 @@ use crate::app::state::State;
 use crate::app::state::files::reader::SceneReading;
 use crate::app::state::fitting::FitSteps;
 use crate::app::state::notice::Notice;
+use crate::app::state::overlay::Overlay;
 use crate::app::state::stage::Stage;
 use crate::app::tools::painting;
 use crate::app::tools::worker::{Work as _, serve as serve_work};
@@ -140,6 +143,9 @@ fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
         state.session.stage = Stage::presented();
     }
     state.session.stage.stereoscope = fragment.stereoscope;
+    if fragment.start {
+        state.session.overlay = Some(Overlay::Start);
+    }
     let problem = problem.map(Notice::error).or(notice);
     state.scratch.notice = problem.or(state.scratch.notice);
     Ok(state)

@@ -3,17 +3,19 @@
 
 use std::time::Duration;
 
-use eframe::egui::{Context, RawInput, Ui, Vec2};
+use eframe::egui::{Context, Event, Pos2, RawInput, TouchDeviceId, TouchId, TouchPhase, Ui, Vec2};
 use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
 use gamow_platform::web::{page, tasks};
 
-use super::address::Fragment;
+use super::address::{Fragment, Opened};
 use super::webgpu::{self, FirstPicture};
 use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::shell::App;
+use crate::app::state::State;
 use crate::app::state::document::Document;
 use crate::app::state::lesson::LessonCommand;
+use crate::app::state::overlay::Overlay;
 
 /// Time between a change of the state and its appearance in the address.
 const REST: Duration = Duration::from_secs(1);
@@ -26,6 +28,7 @@ pub struct PageApp {
     address: Address,
     is_stereoscope: bool,
     is_webgpu: bool,
+    is_new_to_touch: bool,
     first_picture: FirstPicture,
     has_ended: bool,
 }
@@ -34,15 +37,30 @@ pub struct PageApp {
 struct Address {
     document: Document,
     fragment: Option<Fragment>,
+    opened: Option<Opened>,
     due: Option<Instant>,
+}
+
+impl Address {
+    fn from_state(state: &State) -> Self {
+        Self {
+            document: state.document.clone(),
+            fragment: Fragment::from_state(state),
+            opened: Opened::from_state(state),
+            due: None,
+        }
+    }
+
+    /// Returns the text behind the `#`.
+    fn text(&self) -> String {
+        self.fragment.as_ref().map(Fragment::to_text).unwrap_or_default()
+    }
 }
 
 impl PageApp {
     /// Shows `app`, which the `runner` runs, in the window of this `cc`.
     pub fn new(app: App, runner: WebRunner, cc: &CreationContext<'_>) -> Self {
-        let state = app.state();
-        let address =
-            Address { document: state.document.clone(), fragment: Fragment::from_state(state), due: None };
+        let address = Address::from_state(app.state());
         Self {
             app,
             runner,
@@ -50,18 +68,31 @@ impl PageApp {
             address,
             is_stereoscope: false,
             is_webgpu: webgpu::is_used(cc),
+            is_new_to_touch: true,
             first_picture: FirstPicture::default(),
             has_ended: false,
         }
     }
 
-    /// Shows what another `fragment` of the address asks for.
+    /// Shows what another `fragment` of the address asks for, and nothing on top of that: the browser has gone
+    /// Back or Forward, or somebody has followed a link.
     pub fn follow(&mut self, fragment: &Fragment) {
-        if let Some(link) = fragment.link() {
-            self.app.run(FileCommand::Open(link));
-        }
         if let Some(lesson) = &fragment.lesson {
             self.app.run(LessonCommand::Open(lesson.clone()));
+        } else if self.app.state().course().is_some() {
+            self.app.run(LessonCommand::Close);
+        }
+        let overlay = self.app.state().session.overlay;
+        if let Some(shown) = overlay.filter(|shown| !(fragment.start && shown.is_page())) {
+            self.app.run(WindowCommand::Toggle(shown));
+        }
+        if fragment.start && !overlay.is_some_and(Overlay::is_page) {
+            self.app.run(WindowCommand::Toggle(Overlay::Start));
+        }
+        // `#start` and its like alone leave open what is shown behind them.
+        let leaves_open = fragment.link().is_none() && !fragment.welcomes();
+        if let Some(link) = fragment.link_to_follow().filter(|_| !leaves_open) {
+            self.app.run(FileCommand::Open(link));
         }
         if fragment.presents != self.app.state().session.stage.is_presented() {
             self.app.run(WindowCommand::TogglePresenting);
@@ -69,6 +100,9 @@ impl PageApp {
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
             self.app.run(WindowCommand::ToggleStereoscope);
         }
+        self.address.opened = Opened::from_state(self.app.state());
+        self.address.fragment = Some(fragment.clone());
+        self.ctx.request_repaint();
     }
 
     /// Takes how the device is turned.
@@ -96,14 +130,31 @@ impl PageApp {
         }
     }
 
-    /// Writes the state into the page's address, a while after a change.
+    /// Writes the state into the page's address: at once, and as a new entry of the browser's history, where a
+    /// lesson, a preset or the start page was opened; in place of the present one a while after another change.
     fn keep_address(&mut self, ctx: &Context) {
-        let Address { document, fragment, due } = &mut self.address;
+        // A link that is being read may still change everything.
+        if self.app.is_reading() {
+            return;
+        }
+        let state = self.app.state();
+        let opened = Opened::from_state(state);
+        if opened != self.address.opened {
+            if opened.is_some() {
+                // The address that is left may be shorter than its state, such as that of a first visit.
+                page::replace_fragment(&self.address.text());
+                self.address = Address::from_state(state);
+                page::push_fragment(&self.address.text());
+                return;
+            }
+            self.address.opened = None;
+        }
+        let Address { document, fragment, due, .. } = &mut self.address;
         let Some(since) = due else {
-            let state = self.app.state();
             let is_other = fragment.as_ref().is_some_and(|fragment| {
                 fragment.presents != state.session.stage.is_presented()
                     || fragment.stereoscope != state.session.stage.stereoscope
+                    || fragment.start != matches!(opened, Some(Opened::Start))
                     || fragment.lesson.is_some() != state.course().is_some()
             });
             if is_other || *document != state.document {
@@ -117,13 +168,11 @@ impl PageApp {
             ctx.request_repaint_after(rest);
             return;
         }
-        *due = None;
-        *document = self.app.state().document.clone();
-        let now = Fragment::from_state(self.app.state());
-        if *fragment != now {
-            page::replace_fragment(&now.as_ref().map(Fragment::to_text).unwrap_or_default());
-            *fragment = now;
+        let now = Address::from_state(state);
+        if now.fragment != self.address.fragment {
+            page::replace_fragment(&now.text());
         }
+        self.address = now;
     }
 
     /// Ends the window if its device is lost or shows nothing. WebGL 2 takes the place of WebGPU; without
@@ -161,6 +210,18 @@ impl eframe::App for PageApp {
     }
 
     fn raw_input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
+        // The toolkit lets a finger scroll once it knows of a touch screen, which it learns of by a touch: the
+        // first swipe would do nothing.
+        if self.is_new_to_touch && page::has_coarse_pointer() {
+            input.events.push(Event::Touch {
+                device_id: TouchDeviceId(0),
+                id: TouchId(u64::MAX),
+                phase: TouchPhase::Cancel,
+                pos: Pos2::ZERO,
+                force: None,
+            });
+        }
+        self.is_new_to_touch = false;
         // The windowing library knows nothing of a browser's screen.
         if let (Some(sides), Some(viewport)) =
             (page::screen_sides(), input.viewports.get_mut(&input.viewport_id))
