@@ -457,3 +457,22 @@ fn a_mark_on_a_rolling_wheel_gives_the_speed_and_where_its_hub_passes() {
     assert!(of_body("3").contains("follow a --point of it"));
     assert!(!of_body("hub").contains("turns with a wheel"));
 }
+
+#[test]
+fn a_body_that_another_or_the_end_of_the_picture_hides_in_part_is_remarked() {
+    let folder = folder();
+    let ball = "name = \"Half\"\n[[object]]\nname = \"ball\"\nshape = \"sphere\"\ncentre = [0, 4, 0]\nradius = 0.5\n";
+    let post = "[[object]]\nname = \"post\"\nshape = \"box\"\ncentre = [0.15, 2, 0]\nsize = [0.3, 0.1, 2]\n";
+    std::fs::write(folder.path().join("free.toml"), ball).expect("it is written");
+    std::fs::write(folder.path().join("hidden.toml"), format!("{ball}{post}")).expect("it is written");
+    let said = |scene: &str, gaze: &str| {
+        let camera = format!("--beta 0 --time 0 --size 160x120 --fov 40 --gaze={gaze}");
+        render(folder.path(), &format!("--scene {scene}.toml {camera} --exr --out {scene}.exr"));
+        let output = gamow_output(folder.path(), &format!("measure {scene}.exr --object ball"));
+        String::from_utf8(output.stderr).expect("it says words")
+    };
+    let remark = "hide a part of the body";
+    assert!(!said("free", "0,0").contains(remark));
+    assert!(said("hidden", "0,0").contains(remark));
+    assert!(said("free", "20,0").contains(remark));
+}

@@ -95,12 +95,27 @@ pub fn in_layer(
             let grain = if is_exact { ROUNDING } else { GRAIN_OF_F32 };
             Ok(BodySurface { width, ids, rest, grain }.place(point.into()))
         }
-        Target::Body(name) => {
-            let body = settings.opened_scene()?.body_called(name).map_err(anyhow::Error::msg)? as f32;
-            Ok(TargetMask { shows: ids.iter().map(|id| *id == body).collect(), width }.middle())
-        }
+        Target::Body(name) => Ok(body_in(settings, name, ids, width)?.middle()),
         Target::Marker(_) => Ok(None),
     }
+}
+
+/// Returns the share of the outline of the body called `name`, in the layer of `eye`, beside which more of it
+/// is hidden: by what is nearer, or by the end of the picture.
+///
+/// # Errors
+///
+/// A channel that is not there; a scene that cannot be had, or that has no such body.
+pub fn hidden_share(file: &Measurements, eye: &str, name: &str, settings: &Settings) -> anyhow::Result<f64> {
+    let [ids, distances] = [file.channel(eye, Channel::Id)?, file.channel(eye, Channel::Distance)?];
+    let mask = body_in(settings, name, ids, file.size[0] as usize)?;
+    Ok(mask.hidden_share(|beside, own| ids[beside] >= 0.0 && distances[beside] < distances[own]))
+}
+
+/// The pixels of `ids` that show the body called `name`.
+fn body_in(settings: &Settings, name: &str, ids: &[f32], width: usize) -> anyhow::Result<TargetMask> {
+    let body = settings.opened_scene()?.body_called(name).map_err(anyhow::Error::msg)? as f32;
+    Ok(TargetMask { shows: ids.iter().map(|id| *id == body).collect(), width })
 }
 
 /// The places that pixels show as they are at t' = 0: of what turns with a wheel of `scene` not those at

@@ -87,7 +87,7 @@ struct TargetArgs {
     /// those at t' = 0.
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     point: Option<[f64; 3]>,
-    /// In .exr files: the middle of the body of this name in the scene, or of this number.
+    /// In .exr files: the middle of what is seen of the body of this name in the scene, or of this number.
     #[arg(long, value_name = "NAME|NUMBER")]
     object: Option<String>,
     /// In .png files: the middle of all pixels of this colour.
@@ -293,6 +293,14 @@ fn measured(
             let place =
                 |eye| locate::in_layer(&file, eye, target, &settings).with_context(|| name.to_owned());
             let [left, right] = EYES.map(place);
+            if let Target::Body(body) = target {
+                for (eye, layer) in EYES.into_iter().enumerate() {
+                    let share = locate::hidden_share(&file, layer, body, &settings)
+                        .with_context(|| name.to_owned())?;
+                    let percent = (100.0 * share).round() as u32;
+                    remarks.extend((percent > 0).then_some(Remark::Hidden { eye, percent }));
+                }
+            }
             ([left?, right?], file.size, settings)
         }
     };

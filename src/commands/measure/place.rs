@@ -56,6 +56,29 @@ impl TargetMask {
         Some(PixelPlace { at, sigma: squares.map(|sum| ROUNDING * sum.sqrt() / count) })
     }
 
+    /// Returns the share of the outline beside which something hides more of the target: pixels that are
+    /// `nearer` than the target's beside them, these after those, or the end of the picture.
+    pub fn hidden_share(&self, nearer: impl Fn(usize, usize) -> bool) -> f64 {
+        let (width, height) = (self.width, self.shows.len() / self.width);
+        let (mut hidden, mut all) = (0_u32, 0_u32);
+        for [column, row] in self.pixels() {
+            let beside = [
+                (column > 0).then(|| [column - 1, row]),
+                (column + 1 < width).then(|| [column + 1, row]),
+                (row > 0).then(|| [column, row - 1]),
+                (row + 1 < height).then(|| [column, row + 1]),
+            ];
+            for beside in beside {
+                let pixel = beside.map(|[column, row]| row * width + column);
+                if pixel.is_none_or(|pixel| !self.shows[pixel]) {
+                    all += 1;
+                    hidden += u32::from(pixel.is_none_or(|pixel| nearer(pixel, row * width + column)));
+                }
+            }
+        }
+        f64::from(hidden) / f64::from(all.max(1))
+    }
+
     /// Returns the number of separate parts: pixels that touch, at a corner at least, belong together.
     pub fn parts(&self) -> usize {
         let mut is_left = self.shows.clone();
@@ -107,6 +130,16 @@ mod tests {
     use super::*;
 
     const SIDE: usize = 64;
+
+    /// A square of 4 pixels, before whose right side something stands, at the lower end of the picture.
+    #[test]
+    fn what_stands_before_an_outline_and_the_end_of_the_picture_hide_more() {
+        let shows = (0..64).map(|pixel| (2..6).contains(&(pixel % 8)) && pixel / 8 >= 4).collect();
+        let mask = TargetMask { shows, width: 8 };
+        assert_eq!(mask.hidden_share(|_, _| false), 4.0 / 16.0);
+        assert_eq!(mask.hidden_share(|beside, own| beside == own + 1), 8.0 / 16.0);
+        assert_eq!(TargetMask { shows: vec![false; 64], width: 8 }.hidden_share(|_, _| true), 0.0);
+    }
 
     /// The pixels whose centres an ellipse around `middle` covers, turned by `angle`.
     fn ellipse(middle: [f64; 2], radii: [f64; 2], angle: f64) -> TargetMask {

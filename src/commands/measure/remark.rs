@@ -26,6 +26,8 @@ pub enum Remark {
     Diverging,
     /// The target turns with a wheel: what is to be done about that.
     Turning(String),
+    /// What is nearer, or the picture's end, bounds this percentage of the body's outline for an eye.
+    Hidden { eye: usize, percent: u32 },
 }
 
 impl Remark {
@@ -36,6 +38,7 @@ impl Remark {
             Self::OffPlane { .. } => 1,
             Self::Diverging => 2,
             Self::Turning(_) => 3,
+            Self::Hidden { .. } => 4,
         }
     }
 
@@ -55,6 +58,12 @@ impl Remark {
                 the two eyes diverge; the eyes may be swapped"
                 .to_owned(),
             Self::Turning(advice) => format!("the target turns with a wheel: {advice}"),
+            Self::Hidden { eye, percent } => format!(
+                "for the {} eye other bodies, or the end of the picture, hide a part of the body, along \
+                    {percent} % of the outline of what is left; the middle of that is measured, and the \
+                    deviations do not know of it",
+                EYES[*eye]
+            ),
         }
     }
 }
