@@ -17,7 +17,7 @@ const POINT = [200, 150];
 const STOP = [738, 727];
 // In one of 360 by 740 points: the first lesson's button on the start page, its first answer, and the button
 // that predicts.
-const PHONE = [[180, 386], [60, 508], [300, 675]];
+const PHONE = [[180, 368], [60, 594], [300, 675]];
 // In one of 740 by 360 points: the button that closes the stereoscope's menu.
 const LOOK = [232, 281];
 
