@@ -48,6 +48,7 @@ pub const CORE: House = House {
             &["batch.rs", "passage.rs", "stereo.rs"],
             &["batch_error.rs", "one_cone.rs", "published.rs"],
             &["disparity.rs", "real.rs"],
+            &["observation_batch.rs"],
             &["cone_pair.rs"],
             &["apparent.rs", "worldline.rs"],
             &["aberration.rs", "source.rs"],

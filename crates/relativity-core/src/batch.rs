@@ -182,6 +182,41 @@ pub fn disparities<F: Real>(
     if is_inside { Ok(()) } else { observations.first_outside() }
 }
 
+impl<F: Real> ObservationColumns<'_, F> {
+    /// An error unless each column has as many rows as those of the output, and what all rows share is inside
+    /// the domain.
+    fn check(&self, dphi: usize, dtheta: usize) -> Result<(), BatchError> {
+        let lengths = self.each().map(|(name, values)| (name, values.len()));
+        check_lengths(dphi, &lengths.chain([("dtheta", dtheta)]).collect::<Vec<_>>())?;
+        let speed = match self.speeds {
+            Speeds::Same(speed) => speed,
+            Speeds::Betas(_) => Speed::REST,
+        };
+        let common = |column: Column<'_, F>| match column {
+            Column::Same(value) => value.into(),
+            Column::Each(_) => 0.0,
+        };
+        let point = SourcePoint { x0: common(self.x0), y: common(self.y), z: common(self.z) };
+        check_common::<F>(&speed, point, &self.apertures, common(self.times))
+    }
+
+    /// The error of the first row with a value outside the domain.
+    #[cold]
+    fn first_outside(&self) -> Result<(), BatchError> {
+        let no_speed = |(index, &beta): (usize, &F)| match Speed::from_beta(beta.into()) {
+            Ok(speed) if speed.gamma() <= F::MAX_GAMMA => None,
+            Ok(speed) => Some((index, BatchError::Single(speed.gamma()))),
+            Err(error) => Some((index, BatchError::Speed { index, error })),
+        };
+        let betas = self.speeds.betas().unwrap_or_default();
+        let outside = |rows: &Self| first_outside(&rows.each().collect::<Vec<_>>());
+        match betas.iter().enumerate().find_map(no_speed) {
+            Some((row, error)) => outside(&self.rows(0..row)).and(Err(error)),
+            None => outside(self),
+        }
+    }
+}
+
 /// A speed and an aperture in the precision of a batch.
 struct PointBatch<F> {
     coefficients: Coefficients<F>,

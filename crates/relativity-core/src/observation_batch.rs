@@ -1,11 +1,11 @@
 //! Many observations of points by two apertures, and the loop over them.
 
+use std::borrow::Borrow;
 use std::ops::Range;
 
 use crate::aperture::Aperture;
-use crate::batch_error::{BatchError, check_common, check_lengths, first_outside};
 use crate::cone_pair::ConePair;
-use crate::real::Real;
+use crate::math::Elementary;
 use crate::source::SourcePoint;
 use crate::speed::{Coefficients, Speed};
 
@@ -42,6 +42,13 @@ pub struct ObservationColumns<'a, F> {
     pub times: Column<'a, F>,
     /// The primary and the secondary aperture.
     pub apertures: [Aperture; 2],
+}
+
+/// The largest numbers of a row: the magnitude of a coordinate or time, and gamma.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits<F> {
+    pub(crate) coordinate: F,
+    pub(crate) gamma: f64,
 }
 
 /// Columns that disparities are written to.
@@ -85,7 +92,7 @@ impl<'a, F: Copy> Column<'a, F> {
 
 impl<'a, F: Copy> Speeds<'a, F> {
     /// The betas of which there is one for each row.
-    const fn betas(self) -> Option<&'a [F]> {
+    pub(crate) const fn betas(self) -> Option<&'a [F]> {
         match self {
             Self::Same(_) => None,
             Self::Betas(betas) => Some(betas),
@@ -106,7 +113,7 @@ impl<'a, F: Copy> ObservationColumns<'a, F> {
     }
 
     /// The columns that have a number for each row, with their names.
-    fn each(&self) -> impl Iterator<Item = (&'static str, &'a [F])> {
+    pub(crate) fn each(&self) -> impl Iterator<Item = (&'static str, &'a [F])> {
         let betas = self.speeds.betas();
         let columns = [("x0", self.x0), ("y", self.y), ("z", self.z), ("T", self.times)];
         let each = columns.into_iter().filter_map(|(name, column)| Some((name, column.each()?)));
@@ -114,81 +121,58 @@ impl<'a, F: Copy> ObservationColumns<'a, F> {
     }
 }
 
-impl<F: Real> ObservationColumns<'_, F> {
-    /// An error unless each column has as many rows as those of the output, and what all rows share is inside
-    /// the domain.
-    pub(crate) fn check(&self, dphi: usize, dtheta: usize) -> Result<(), BatchError> {
-        let lengths = self.each().map(|(name, values)| (name, values.len()));
-        check_lengths(dphi, &lengths.chain([("dtheta", dtheta)]).collect::<Vec<_>>())?;
-        let speed = match self.speeds {
-            Speeds::Same(speed) => speed,
-            Speeds::Betas(_) => Speed::REST,
-        };
-        let common = |column: Column<'_, F>| match column {
-            Column::Same(value) => value.into(),
-            Column::Each(_) => 0.0,
-        };
-        let point = SourcePoint { x0: common(self.x0), y: common(self.y), z: common(self.z) };
-        check_common::<F>(&speed, point, &self.apertures, common(self.times))
-    }
-
-    /// The error of the first row with a value outside the domain.
-    #[cold]
-    pub(crate) fn first_outside(&self) -> Result<(), BatchError> {
-        let no_speed = |(index, &beta): (usize, &F)| match Speed::from_beta(beta.into()) {
-            Ok(speed) if speed.gamma() <= F::MAX_GAMMA => None,
-            Ok(speed) => Some((index, BatchError::Single(speed.gamma()))),
-            Err(error) => Some((index, BatchError::Speed { index, error })),
-        };
-        let betas = self.speeds.betas().unwrap_or_default();
-        let outside = |rows: &Self| first_outside(&rows.each().collect::<Vec<_>>());
-        match betas.iter().enumerate().find_map(no_speed) {
-            Some((row, error)) => outside(&self.rows(0..row)).and(Err(error)),
-            None => outside(self),
-        }
-    }
-
-    /// Writes the disparities; whether the numbers of each row are inside the domain.
-    pub(crate) fn fill(&self, out: DisparityColumns<'_, F>) -> bool {
+impl<F: Elementary + Into<f64>> ObservationColumns<'_, F> {
+    /// Writes the disparities; whether the numbers of each row are inside these `limits`, if those that all
+    /// rows share are.
+    pub(crate) fn fill(&self, limits: Limits<F>, out: DisparityColumns<'_, F>) -> bool {
         let Self { speeds, x0, y, z, times, apertures } = *self;
-        // What all rows share is worked out once.
-        if let (Speeds::Same(speed), Column::Same(x0), Column::Same(y), Column::Same(z)) = (speeds, x0, y, z)
-        {
-            let coefficients = speed.coefficients();
-            return fill(apertures, out, |row| (coefficients, [x0, y, z], times.at(row)));
-        }
-        let place = |row| [x0.at(row), y.at(row), z.at(row)];
-        match speeds {
-            Speeds::Same(speed) => {
-                let coefficients = speed.coefficients();
-                fill(apertures, out, |row| (coefficients, place(row), times.at(row)))
+        let point = |row: usize| {
+            let place = [x0.at(row), y.at(row), z.at(row)];
+            let [x0, y, z] = place.map(Into::into);
+            (SourcePoint { x0, y, z }, place.iter().all(|number| number.abs() <= limits.coordinate))
+        };
+        match (speeds, x0, y, z, times) {
+            // What all rows share is worked out once.
+            (Speeds::Same(speed), Column::Same(_), Column::Same(_), Column::Same(_), Column::Each(times)) => {
+                let (coefficients, (point, _)) = (speed.coefficients(), point(0));
+                let rows = times.iter().map(|&time| (&coefficients, (point, true), time));
+                fill(apertures, rows, limits, out)
             }
-            Speeds::Betas(betas) => {
-                let coefficients = |row: usize| Coefficients::of_beta(betas[row].into());
-                fill(apertures, out, |row| (coefficients(row), place(row), times.at(row)))
+            (Speeds::Same(speed), ..) => {
+                let coefficients = speed.coefficients();
+                fill(apertures, (0..).map(|row| (&coefficients, point(row), times.at(row))), limits, out)
+            }
+            (Speeds::Betas(betas), ..) => {
+                let rows = betas.iter().enumerate().map(|(row, &beta)| {
+                    let coefficients = Coefficients::<F>::of_beta(beta.into());
+                    let (point, is_inside) = point(row);
+                    // Not a number is not at most anything.
+                    let is_speed = coefficients.gamma.into() <= limits.gamma;
+                    (coefficients, (point, is_inside & is_speed), times.at(row))
+                });
+                fill(apertures, rows, limits, out)
             }
         }
     }
 }
 
-/// Writes the disparities of rows, each a speed, a place and a time; whether all are inside the domain.
+/// Writes the disparities of rows: each a speed's coefficients, a point with whether both are inside the
+/// `limits`, and a time. Whether all rows are inside.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "what all rows share is worked out once")]
-fn fill<F: Real>(
+fn fill<F: Elementary, C: Borrow<Coefficients<F>>>(
     [primary, secondary]: [Aperture; 2],
+    rows: impl Iterator<Item = (C, (SourcePoint, bool), F)>,
+    limits: Limits<F>,
     out: DisparityColumns<'_, F>,
-    row: impl Fn(usize) -> (Coefficients<F>, [F; 3], F),
 ) -> bool {
-    let limit = F::MAX_COORDINATE;
-    let mut is_inside = true;
-    for (index, (dphi, dtheta)) in out.dphi.iter_mut().zip(out.dtheta).enumerate() {
-        let (coefficients, place, time) = row(index);
-        // Not a number is not at most anything.
-        is_inside &= coefficients.gamma.into() <= F::MAX_GAMMA;
-        is_inside &= place.iter().chain([&time]).all(|number| number.abs() <= limit);
-        let [x0, y, z] = place.map(Into::into);
-        let cones = ConePair::new(&coefficients, SourcePoint { x0, y, z }, primary, secondary, time);
+    let mut are_inside = true;
+    for ((coefficients, (point, is_inside), time), (dphi, dtheta)) in
+        rows.zip(out.dphi.iter_mut().zip(out.dtheta))
+    {
+        are_inside &= is_inside & (time.abs() <= limits.coordinate);
+        let cones = ConePair::new(coefficients.borrow(), point, primary, secondary, time);
         (*dphi, *dtheta) = cones.wanted_angle_differences([true, true]);
     }
-    is_inside
+    are_inside
 }

@@ -25,7 +25,7 @@ impl Real for f32 {
 
 /// The loops that are compiled here for both precisions, optimised, whatever the program that calls them is.
 mod sealed {
-    use crate::observation_batch::{DisparityColumns, ObservationColumns};
+    use crate::observation_batch::{DisparityColumns, Limits, ObservationColumns};
 
     pub trait Sealed: Sized {
         /// Writes the disparities of observations; whether all these are inside the domain.
@@ -39,7 +39,8 @@ mod sealed {
                     observations: &ObservationColumns<'_, Self>,
                     out: DisparityColumns<'_, Self>,
                 ) -> bool {
-                    observations.fill(out)
+                    let coordinate = <Self as super::Real>::MAX_COORDINATE;
+                    observations.fill(Limits { coordinate, gamma: <Self as super::Real>::MAX_GAMMA }, out)
                 }
             })+
         };

@@ -294,12 +294,9 @@ fn measured(
                 |eye| locate::in_layer(&file, eye, target, &settings).with_context(|| name.to_owned());
             let [left, right] = EYES.map(place);
             if let Target::Body(body) = target {
-                for (eye, layer) in EYES.into_iter().enumerate() {
-                    let share = locate::hidden_share(&file, layer, body, &settings)
-                        .with_context(|| name.to_owned())?;
-                    let percent = (100.0 * share).round() as u32;
-                    remarks.extend((percent > 0).then_some(Remark::Hidden { eye, percent }));
-                }
+                let share = |eye: usize| locate::hidden_share(&file, EYES[eye], body, &settings);
+                let [left, right] = [share(0), share(1)].map(|share| share.with_context(|| name.to_owned()));
+                remarks.extend(remark::of_hidden_shares([left?, right?]));
             }
             ([left?, right?], file.size, settings)
         }

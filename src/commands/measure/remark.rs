@@ -15,6 +15,9 @@ use crate::settings::Settings;
 const MOST_SIGMAS: f64 = 5.0;
 const MOST_PX: f64 = 1.0;
 
+/// Greatest share of a body's outline beside which more of it is hidden, without a remark.
+const MOST_HIDDEN: f64 = 0.05;
+
 /// A remark on what was found.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Remark {
@@ -59,7 +62,7 @@ impl Remark {
                 .to_owned(),
             Self::Turning(advice) => format!("the target turns with a wheel: {advice}"),
             Self::Hidden { eye, percent } => format!(
-                "for the {} eye other bodies, or the end of the picture, hide a part of the body, along \
+                "other bodies, or the end of the picture, hide a part of the body from the {} eye, along \
                     {percent} % of the outline of what is left; the middle of that is measured, and the \
                     deviations do not know of it",
                 EYES[*eye]
@@ -98,6 +101,13 @@ pub fn of_target(settings: &Settings, target: Target<'_>) -> anyhow::Result<Opti
         }
     };
     Ok(advice.map(Remark::Turning))
+}
+
+/// Returns a remark on the shares of a body's outline beside which more of it is hidden from each eye: on the
+/// greater one, if that is not small.
+pub fn of_hidden_shares([left, right]: [f64; 2]) -> Option<Remark> {
+    let (eye, share) = if left >= right { (0, left) } else { (1, right) };
+    (share > MOST_HIDDEN).then(|| Remark::Hidden { eye, percent: (100.0 * share).round() as u32 })
 }
 
 /// Returns a remark on the places that both eyes have of one colour, if the head is held along the motion: a

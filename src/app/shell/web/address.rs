@@ -73,8 +73,8 @@ impl Fragment {
         (!self.pairs.is_empty()).then(|| PathBuf::from(link_of_pairs(&self.pairs)))
     }
 
-    /// Returns the link to what is shown at this address: its settings, and defaults for all others. `None` for
-    /// a lesson, which has its own.
+    /// Returns the link to what is shown at this address: its settings, and defaults for all others. `None`
+    /// for a lesson, which has its own.
     pub fn link_to_follow(&self) -> Option<PathBuf> {
         self.lesson.is_none().then(|| PathBuf::from(link_of_pairs(&self.pairs)))
     }
