@@ -2,9 +2,10 @@
 //! both beside each other.
 //!
 //! `cargo bench -p gamow-python --bench batch`. Prints milliseconds of processor time on all threads, the
-//! best of several: the disparities of one point at a million times by the core, the same at a million speeds,
-//! at one speed by the columns of the program, and everything that both eyes see. Other programs on the machine change processor time least.
-//! It is Linux that tells it; elsewhere this needs a clock of its own.
+//! best of several: the disparities of one point at a million times by the core, the same at a million
+//! speeds, at one speed by the columns of the program, and everything that both eyes see. Other programs on
+//! the machine change processor time least. It is Linux that tells it; elsewhere this needs a clock of its
+//! own.
 
 use std::fs;
 use std::hint::black_box;

@@ -167,8 +167,9 @@ fn fill<F: Elementary, C: Borrow<Coefficients<F>>>(
     out: DisparityColumns<'_, F>,
 ) -> bool {
     let mut are_inside = true;
-    for ((coefficients, (point, is_inside), time), (dphi, dtheta)) in
-        rows.zip(out.dphi.iter_mut().zip(out.dtheta))
+    // No row is asked for beyond those of the output.
+    for ((dphi, dtheta), (coefficients, (point, is_inside), time)) in
+        out.dphi.iter_mut().zip(out.dtheta).zip(rows)
     {
         are_inside &= is_inside & (time.abs() <= limits.coordinate);
         let cones = ConePair::new(coefficients.borrow(), point, primary, secondary, time);

@@ -74,8 +74,8 @@ impl PageApp {
         }
     }
 
-    /// Shows what another `fragment` of the address asks for, and nothing on top of that: the browser has gone
-    /// Back or Forward, or somebody has followed a link.
+    /// Shows what another `fragment` of the address asks for, and nothing on top of that: the browser has
+    /// gone Back or Forward, or somebody has followed a link.
     pub fn follow(&mut self, fragment: &Fragment) {
         if let Some(lesson) = &fragment.lesson {
             self.app.run(LessonCommand::Open(lesson.clone()));
@@ -130,8 +130,9 @@ impl PageApp {
         }
     }
 
-    /// Writes the state into the page's address: at once, and as a new entry of the browser's history, where a
-    /// lesson, a preset or the start page was opened; in place of the present one a while after another change.
+    /// Writes the state into the page's address: at once, and as a new entry of the browser's history, where
+    /// a lesson, a preset or the start page was opened; in place of the present one a while after another
+    /// change.
     fn keep_address(&mut self, ctx: &Context) {
         // A link that is being read may still change everything.
         if self.app.is_reading() {
@@ -210,8 +211,8 @@ impl eframe::App for PageApp {
     }
 
     fn raw_input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
-        // The toolkit lets a finger scroll once it knows of a touch screen, which it learns of by a touch: the
-        // first swipe would do nothing.
+        // The toolkit lets a finger scroll once it knows of a touch screen, which it learns of by a touch:
+        // the first swipe would do nothing.
         if self.is_new_to_touch && page::has_coarse_pointer() {
             input.events.push(Event::Touch {
                 device_id: TouchDeviceId(0),
