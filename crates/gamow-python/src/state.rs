@@ -61,8 +61,8 @@ impl State {
         left.with(settings, file)
     }
 
-    /// The same state with other settings. Another scene starts anew: a ride ends, and the time is gone,
-    /// unless they are given with it.
+    /// Returns the state with other settings. A new scene ends a ride and drops the observation time, unless
+    /// these are given with it.
     #[pyo3(signature = (**settings))]
     fn replace(&self, settings: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         self.clone().with(settings, None)

@@ -39,7 +39,7 @@ pub enum BatchError {
     Speed {
         /// Index of the row.
         index: usize,
-        /// What is wrong with it.
+        /// Reason why its beta is refused.
         error: SpeedError,
     },
     /// A value common to all rows outside the domain.

@@ -38,7 +38,7 @@ pub struct ObservationColumns<'a, F> {
     pub y: Column<'a, F>,
     /// Heights z, above the eyes.
     pub z: Column<'a, F>,
-    /// Observation times T.
+    /// Observation times T, when the light is received.
     pub times: Column<'a, F>,
     /// The primary and the secondary aperture.
     pub apertures: [Aperture; 2],
@@ -54,9 +54,9 @@ pub struct Limits<F> {
 /// Columns that disparities are written to.
 #[derive(Debug)]
 pub struct DisparityColumns<'a, F> {
-    /// Delta-phi, radians.
+    /// Disparities Delta-phi: azimuth, primary minus secondary, radians.
     pub dphi: &'a mut [F],
-    /// Delta-theta, radians.
+    /// Disparities Delta-theta: elevation, primary minus secondary, radians.
     pub dtheta: &'a mut [F],
 }
 

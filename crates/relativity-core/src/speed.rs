@@ -77,7 +77,7 @@ impl Speed {
         Ok(Self { rapidity: math::atanh(beta), ..Self::but_for_rapidity(beta) })
     }
 
-    /// All of the speed `beta` in [0, 1) but its rapidity, which costs as much as all else that a row of a
+    /// Returns the speed `beta` in [0, 1) without its rapidity, which takes as long as all that a row of a
     /// batch needs of a speed.
     #[inline]
     fn but_for_rapidity(beta: f64) -> Self {
@@ -230,7 +230,7 @@ impl Speed {
 }
 
 impl<F: Float> Coefficients<F> {
-    /// Those of the speed `beta`; with a gamma that is infinite or not a number where it is outside [0, 1).
+    /// Returns the coefficients of the speed `beta`. Outside [0, 1) their gamma is infinite or not a number.
     #[inline]
     pub(crate) fn of_beta(beta: f64) -> Self {
         // -0.0 is rest too.

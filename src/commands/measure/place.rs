@@ -131,7 +131,7 @@ mod tests {
 
     const SIDE: usize = 64;
 
-    /// A square of 4 pixels, before whose right side something stands, at the lower end of the picture.
+    /// A square of 4 by 4 pixels at the lower edge of the picture, with something nearer to its right.
     #[test]
     fn what_stands_before_an_outline_and_the_end_of_the_picture_hide_more() {
         let shows = (0..64).map(|pixel| (2..6).contains(&(pixel % 8)) && pixel / 8 >= 4).collect();

@@ -29,7 +29,8 @@ pub enum Remark {
     Diverging,
     /// The target turns with a wheel: what is to be done about that.
     Turning(String),
-    /// What is nearer, or the picture's end, bounds this percentage of the body's outline for an eye.
+    /// A body that is partly hidden from an eye (0 left, 1 right): the percentage of its visible outline that
+    /// borders on nearer bodies or on the edge of the picture.
     Hidden { eye: usize, percent: u32 },
 }
 

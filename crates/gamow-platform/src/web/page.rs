@@ -93,7 +93,7 @@ pub fn reload_without_webgpu(reason: &str) -> bool {
     is_new && is_kept() && window().is_some_and(|window| window.location().reload().is_ok())
 }
 
-/// Copies `text` to the clipboard; returns whether the browser says that it has.
+/// Copies `text` to the clipboard; returns whether the browser confirms it.
 pub async fn copy_text(text: &str) -> bool {
     // Elsewhere there is no clipboard at all.
     let Some(window) = window().filter(Window::is_secure_context) else { return false };

@@ -98,7 +98,7 @@ fn is_start_page(state: &State) -> bool {
 /// A place that a reader opens, and comes back to by the browser's Back.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Opened {
-    /// The start page.
+    /// The start page, or a page that it leads to.
     Start,
     /// The lesson, or the preset, of this name.
     Lesson(String),

@@ -1,4 +1,4 @@
-//! Copying of text in a page, which is done only when the browser says so.
+//! The copying of text in a page, and the message that appears once the browser confirms it.
 
 use std::cell::Cell;
 use std::rc::Rc;

@@ -249,7 +249,7 @@ impl Triangles {
         })
     }
 
-    /// Whether an earlier triangle has the same corners, if triangles are asked about in order.
+    /// Returns a test of whether an earlier triangle has the same corners; it takes triangles in order.
     fn repeated(&self) -> impl FnMut(u32) -> bool {
         let face = |triangle: u32| {
             let mut face = self.faces[triangle as usize];
