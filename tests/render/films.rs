@@ -88,7 +88,7 @@ const PIXELS: usize = 322 * 132;
 /// The description of that film by ffprobe.
 const DESCRIPTION: &str = "\
 codec_name=h264 profile=High width=322 height=132 has_b_frames=0 color_range=tv color_space=bt709 \
-color_transfer=iec61966-2-1 color_primaries=bt709 chroma_location=centre r_frame_rate=25/1 duration=1.040000 \
+color_transfer=iec61966-2-1 color_primaries=bt709 chroma_location=center r_frame_rate=25/1 duration=1.040000 \
 nb_frames=26";
 
 /// Each plane of each frame agrees with the picture to 40 dB (PSNR), and to half a level of 255 on average.
