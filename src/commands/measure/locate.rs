@@ -68,7 +68,16 @@ pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> TargetMask {
     TargetMask { shows: picture.rgba.iter().map(is_alike).collect(), width: picture.size[0] as usize }
 }
 
-/// Returns the place of `target` in the layer of `eye`.
+/// A target in a layer.
+pub struct Located {
+    /// Its place; none if it is not seen.
+    pub place: Option<PixelPlace>,
+    /// Share of the outline of a body beside which more of it is hidden: by what is nearer, or by the end of
+    /// the picture.
+    pub hidden: f64,
+}
+
+/// Returns where `target` is in the layer of `eye`.
 ///
 /// # Errors
 ///
@@ -78,7 +87,7 @@ pub fn in_layer(
     eye: &str,
     target: Target<'_>,
     settings: &Settings,
-) -> anyhow::Result<Option<PixelPlace>> {
+) -> anyhow::Result<Located> {
     let channel = |channel| file.channel(eye, channel);
     let width = file.size[0] as usize;
     let ids = channel(Channel::Id)?;
@@ -93,29 +102,19 @@ pub fn in_layer(
             };
             let is_exact = settings.quality.method().is_none_or(|method| method == Method::Reference);
             let grain = if is_exact { ROUNDING } else { GRAIN_OF_F32 };
-            Ok(BodySurface { width, ids, rest, grain }.place(point.into()))
+            let place = BodySurface { width, ids, rest, grain }.place(point.into());
+            Ok(Located { place, hidden: 0.0 })
         }
-        Target::Body(name) => Ok(body_in(settings, name, ids, width)?.middle()),
-        Target::Marker(_) => Ok(None),
+        Target::Body(name) => {
+            let body = settings.opened_scene()?.body_called(name).map_err(anyhow::Error::msg)? as f32;
+            let mask = TargetMask { shows: ids.iter().map(|id| *id == body).collect(), width };
+            let distances = channel(Channel::Distance)?;
+            let is_nearer =
+                |beside: usize, own: usize| ids[beside] >= 0.0 && distances[beside] < distances[own];
+            Ok(Located { place: mask.middle(), hidden: mask.hidden_share(is_nearer) })
+        }
+        Target::Marker(_) => Ok(Located { place: None, hidden: 0.0 }),
     }
-}
-
-/// Returns the share of the outline of the body called `name`, in the layer of `eye`, beside which more of it
-/// is hidden: by what is nearer, or by the end of the picture.
-///
-/// # Errors
-///
-/// A channel that is not there; a scene that cannot be had, or that has no such body.
-pub fn hidden_share(file: &Measurements, eye: &str, name: &str, settings: &Settings) -> anyhow::Result<f64> {
-    let [ids, distances] = [file.channel(eye, Channel::Id)?, file.channel(eye, Channel::Distance)?];
-    let mask = body_in(settings, name, ids, file.size[0] as usize)?;
-    Ok(mask.hidden_share(|beside, own| ids[beside] >= 0.0 && distances[beside] < distances[own]))
-}
-
-/// The pixels of `ids` that show the body called `name`.
-fn body_in(settings: &Settings, name: &str, ids: &[f32], width: usize) -> anyhow::Result<TargetMask> {
-    let body = settings.opened_scene()?.body_called(name).map_err(anyhow::Error::msg)? as f32;
-    Ok(TargetMask { shows: ids.iter().map(|id| *id == body).collect(), width })
 }
 
 /// The places that pixels show as they are at t' = 0: of what turns with a wheel of `scene` not those at

@@ -293,12 +293,9 @@ fn measured(
             let place =
                 |eye| locate::in_layer(&file, eye, target, &settings).with_context(|| name.to_owned());
             let [left, right] = EYES.map(place);
-            if let Target::Body(body) = target {
-                let share = |eye: usize| locate::hidden_share(&file, EYES[eye], body, &settings);
-                let [left, right] = [share(0), share(1)].map(|share| share.with_context(|| name.to_owned()));
-                remarks.extend(remark::of_hidden_shares([left?, right?]));
-            }
-            ([left?, right?], file.size, settings)
+            let (left, right) = (left?, right?);
+            remarks.extend(remark::of_hidden_shares([left.hidden, right.hidden]));
+            ([left.place, right.place], file.size, settings)
         }
     };
     anyhow::ensure!(!settings.ride.is_on(), "{name}: {ON_A_RIDE}");

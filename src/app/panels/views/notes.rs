@@ -29,10 +29,11 @@ pub fn note_for_audience(ui: &Ui, state: &State, pane: EyePane) -> String {
     joined(notes.chain([unseen(ui, state, pane)]))
 }
 
-/// Says how coarse a picture is that no frame has the time for.
+/// Says how coarse a picture is that no frame has the time for: one by the packets only while it moves.
 fn coarseness(picture: ShownPicture) -> Option<String> {
     let side = picture.coarseness;
-    (side > 1).then(|| format!("coarse while it moves: {side} x {side} pixels as one"))
+    let when = if picture.method == Method::Packets { " while it moves" } else { ", without a fast GPU" };
+    (side > 1).then(|| format!("coarse{when}: {side} x {side} pixels as one"))
 }
 
 /// Says while it is so that T waits for what draws the picture.

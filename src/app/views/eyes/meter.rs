@@ -8,7 +8,7 @@ use relativity_render::{EyeTarget, Geometry, Gpu, GpuError, Method, Renderers};
 
 use super::pace::Pace;
 use super::request::Request;
-use super::slot::Drawn;
+use super::slot::{Drawn, DrawnBy};
 use crate::accuracy::{Automatic, Choice, Machine, MethodViews, REFERENCE_SAMPLES};
 use crate::flags::Goal;
 
@@ -95,7 +95,7 @@ impl Meter {
         Some(Chosen { choice, method: trial.unwrap_or(choice.method) })
     }
 
-    /// Draws `request` by `method` into `target`. What is measured is waited for where that is possible, and
+    /// Draws `request` as `by` says into `target`. What is measured is waited for where that is possible, and
     /// so is what was begun before it; once a cost is known that is done twice a second at most, so that it
     /// holds nothing up.
     pub fn draw(
@@ -103,23 +103,24 @@ impl Meter {
         renderers: &mut Renderers,
         gpu: &Gpu,
         request: &Request,
-        method: Method,
+        by: DrawnBy,
         target: &mut EyeTarget,
     ) -> Result<Drawn, GpuError> {
         if !self.is_on {
-            return self.draw_now(renderers, gpu, request, method, target);
+            return self.draw_now(renderers, gpu, request, by, target);
         }
+        let method = by.method;
         let geometry = request.view.geometry;
         let is_due =
             self.awaited == 0 && self.automatic.costs().is_due(method, geometry, self.clock.elapsed_ms());
         if !is_due {
-            let drew = self.draw_now(renderers, gpu, request, method, target)?;
+            let drew = self.draw_now(renderers, gpu, request, by, target)?;
             self.automatic.costs().note(method, geometry, None, self.clock.elapsed_ms());
             return Ok(drew);
         }
         gpu.wait()?;
         let start = Instant::now();
-        let drew = self.draw_now(renderers, gpu, request, method, target)?;
+        let drew = self.draw_now(renderers, gpu, request, by, target)?;
         let (sender, [width, height]) = (self.sender.clone(), target.size().map(f64::from));
         let pixels = width * height / f64::from(drew.coarseness * drew.coarseness);
         gpu.when_finished(move || {
@@ -132,13 +133,13 @@ impl Meter {
         Ok(drew)
     }
 
-    /// Draws `request` by `method` into `target`.
+    /// Draws `request` as `by` says into `target`.
     fn draw_now(
         &mut self,
         renderers: &mut Renderers,
         gpu: &Gpu,
         request: &Request,
-        method: Method,
+        DrawnBy { method, at_rest, .. }: DrawnBy,
         target: &mut EyeTarget,
     ) -> Result<Drawn, GpuError> {
         let Request { scene, view, appearance, .. } = request;
@@ -146,9 +147,14 @@ impl Meter {
             target.write(gpu, &scene.picture(view, appearance, REFERENCE_SAMPLES));
             return Ok(Drawn::in_full(method));
         }
-        if renderers.drawn_by(method, scene, view)? == Method::Packets {
+        let method = renderers.drawn_by(method, scene, view)?;
+        if method == Method::Packets {
             let coarseness = self.pace.draw(renderers, gpu, request, target);
-            return Ok(Drawn { method: Method::Packets, coarseness });
+            return Ok(Drawn { method, coarseness });
+        }
+        if gpu.is_software() && gpu.reads_back() && !method.is_on_cpu() {
+            let coarseness = self.pace.draw_on_gpu(renderers, gpu, (request, method, at_rest), target)?;
+            return Ok(Drawn { method, coarseness });
         }
         renderers.draw(method, scene, view, appearance, target).map(Drawn::in_full)
     }

@@ -18,6 +18,7 @@ use self::background::{Background, FinishedPicture};
 use self::meter::Meter;
 use self::slot::{ComposedPicture, Drawn, DrawnBy, EyePicture, fitting, fitting_composed};
 use crate::accuracy::MethodViews;
+use crate::app::tools::debounce::Debounce;
 use crate::app::tools::graphics;
 use crate::app::tools::painting;
 use crate::app::tools::preparing::Preparing;
@@ -33,6 +34,8 @@ pub struct EyePictures {
     /// Textures of the pictures before, which are shown until the new ones stand alone.
     set_aside: Vec<TextureId>,
     backgrounds: [Option<Background>; 2],
+    /// When the pictures that a GPU in software draws coarsely last changed.
+    stillness: [Debounce<Request>; 2],
     composer: Option<Composer>,
     composed: Option<ComposedPicture>,
     /// Makes pipelines in the background, where they are not made when a picture needs them.
@@ -61,6 +64,7 @@ impl EyePictures {
             pictures: [None, None],
             set_aside: Vec::new(),
             backgrounds: [None, None],
+            stillness: Default::default(),
             composer: None,
             composed: None,
             preparing: None,
@@ -110,6 +114,7 @@ impl EyePictures {
     #[must_use]
     pub fn is_settled(&self) -> bool {
         !self.backgrounds.iter().flatten().any(|background| background.is_awaited)
+            && !self.pictures.iter().flatten().any(EyePicture::waits_for_rest)
             && !self.preparing.as_ref().is_some_and(Preparing::is_pending)
     }
 
@@ -172,10 +177,11 @@ impl EyePictures {
         let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
         let background = &mut backgrounds[index];
         let method = request.method_in_frame();
+        let coarsely_by = picture.coarsely_by(request);
         let made = if request.is_for_reference() {
             let background = background.get_or_insert_with(|| Background::new(ctx));
             background.picture(ctx, request).map(|made| (made, Method::Reference))
-        } else if picture.is_coarse(request) {
+        } else if coarsely_by == Some(Method::Packets) {
             let background = background.get_or_insert_with(|| Background::new(ctx));
             background
                 .picture(ctx, &request.in_background_by(Method::Packets))
@@ -189,7 +195,7 @@ impl EyePictures {
             None
         };
         if let Some((FinishedPicture { picture: made, samples, .. }, method)) = made {
-            let by = DrawnBy { method, samples: Some(*samples) };
+            let by = DrawnBy { method, samples: Some(*samples), at_rest: false };
             let shown = picture.shown(request, by, drawings, |target| {
                 target.write(gpu, made);
                 Ok(Drawn::in_full(method))
@@ -200,9 +206,10 @@ impl EyePictures {
             self.is_waiting = true;
             return Ok(picture.last());
         };
-        let shown = picture.shown(request, DrawnBy { method, samples: None }, drawings, |target| {
-            meter.draw(renderers, gpu, request, method, target)
-        });
+        let at_rest = coarsely_by.is_some() && self.stillness[index].is_still(ctx, request);
+        let by = DrawnBy { method, samples: None, at_rest };
+        let shown =
+            picture.shown(request, by, drawings, |target| meter.draw(renderers, gpu, request, by, target));
         shown.map(Some)
     }
 
@@ -222,7 +229,7 @@ impl EyePictures {
         }
         let FinishedPicture { of, picture: made, samples } = background.newest(&request)?;
         let picture = fitting(&mut pictures[index], made.size, gpu, render_state);
-        let by = DrawnBy { method: Method::Reference, samples: Some(*samples) };
+        let by = DrawnBy { method: Method::Reference, samples: Some(*samples), at_rest: false };
         let written = picture.shown(of, by, drawings, |target| {
             target.write(gpu, made);
             Ok(Drawn::in_full(Method::Reference))

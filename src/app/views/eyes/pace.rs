@@ -1,8 +1,9 @@
-//! The pace of the packets: what would take them longer than a frame may is drawn with fewer pixels while it
-//! moves, and in full in the background once it rests.
+//! The pace of what draws on the processor, the packets or a GPU in software: what would take longer than a
+//! frame may is drawn with fewer pixels while it moves, and by the packets in full in the background once it
+//! rests.
 
 use gamow_platform::clock::Instant;
-use relativity_render::{EyeTarget, Gpu, Picture, PreparedScene, Renderers, View};
+use relativity_render::{EyeTarget, Gpu, GpuError, Method, Picture, PreparedScene, Renderers, View};
 
 use super::request::Request;
 
@@ -10,8 +11,12 @@ use super::request::Request;
 /// full so far, and of one that they draw coarsely.
 const MOST_MS: f64 = 500.0;
 const COARSE_MS: f64 = 200.0;
+/// Time within which a GPU in software draws an eye that rests, which nothing else may draw, milliseconds.
+const AT_REST_MS: f64 = 2000.0;
 /// Greatest number of pixels, each way, that are drawn as one.
 const MOST: u32 = 32;
+/// Number of pixels from which a GPU in software begins a scene: it cannot be stopped once it draws.
+const FIRST_PIXELS: f64 = 20_000.0;
 
 /// The coarseness at which pictures of a scene are drawn in time.
 #[derive(Debug, Default)]
@@ -20,11 +25,64 @@ pub struct Pace {
     scene: Option<PreparedScene>,
     /// Number of times that the pixels were halved each way.
     halvings: u32,
+    /// Time that a pixel of the scene's last picture by a GPU in software took, milliseconds, and its method.
+    gpu_ms: Option<(f64, Method)>,
 }
 
 impl Pace {
-    /// Draws `request` into `target`, and returns how many pixels are one each way: as many as it takes, from
-    /// those of the last picture of the scene on. Those that are not drawn in time by then are missing.
+    /// Draws `request` by `method` on a GPU in software into `target`, and returns how many pixels are one
+    /// each way: as few as there is time for, `at_rest` more of it, judged by the scene's last picture.
+    ///
+    /// # Errors
+    ///
+    /// As [`Renderers::draw`].
+    pub fn draw_on_gpu(
+        &mut self,
+        renderers: &mut Renderers,
+        gpu: &Gpu,
+        (request, method, at_rest): (&Request, Method, bool),
+        target: &mut EyeTarget,
+    ) -> Result<u32, GpuError> {
+        let Request { scene, view, appearance, .. } = request;
+        self.follow(scene);
+        let size = target.size();
+        let mut ms_a_pixel = |coarseness| {
+            let start = Instant::now();
+            let view = coarse(view, size, coarseness);
+            if coarseness == 1 {
+                renderers.draw(method, scene, &view, appearance, target)?;
+                gpu.wait()?;
+            } else {
+                let picture = renderers.picture(method, scene, &view, appearance, 1)?;
+                target.write(gpu, &enlarged(&picture, size));
+            }
+            Ok::<f64, GpuError>(start.elapsed_ms() / pixels(view.camera.size))
+        };
+        let expected_ms = match self.gpu_ms {
+            Some((ms, of)) if of == method => ms,
+            _ => {
+                // What a scene's first picture takes is mostly to make its pipelines.
+                let first = fitting(size, FIRST_PIXELS);
+                ms_a_pixel(first)?;
+                ms_a_pixel(first)?
+            }
+        };
+        let most_ms = if at_rest { AT_REST_MS } else { COARSE_MS };
+        let coarseness = fitting(size, most_ms / expected_ms);
+        self.gpu_ms = Some((ms_a_pixel(coarseness)?, method));
+        Ok(coarseness)
+    }
+
+    /// Forgets what was found of another scene.
+    fn follow(&mut self, scene: &PreparedScene) {
+        if self.scene.as_ref() != Some(scene) {
+            *self = Self { scene: Some(scene.clone()), ..Self::default() };
+        }
+    }
+
+    /// Draws `request` by the packets into `target`, and returns how many pixels are one each way: as many as
+    /// it takes, from those of the last picture of the scene on. Those that are not drawn in time by then are
+    /// missing.
     pub fn draw(
         &mut self,
         renderers: &Renderers,
@@ -33,9 +91,7 @@ impl Pace {
         target: &mut EyeTarget,
     ) -> u32 {
         let Request { scene, view, appearance, .. } = request;
-        if self.scene.as_ref() != Some(scene) {
-            *self = Self { scene: Some(scene.clone()), halvings: 0 };
-        }
+        self.follow(scene);
         let size = target.size();
         loop {
             let coarseness = 1 << self.halvings;
@@ -56,6 +112,19 @@ impl Pace {
             return coarseness;
         }
     }
+}
+
+fn pixels(size: [u32; 2]) -> f64 {
+    size.into_iter().map(f64::from).product()
+}
+
+/// Returns the least number of pixels, each way, of a picture of this `size` that are one in a picture of at
+/// most so many pixels.
+fn fitting(size: [u32; 2], most_pixels: f64) -> u32 {
+    (0..=MOST.ilog2())
+        .map(|halvings| 1 << halvings)
+        .find(|side| pixels(size) <= most_pixels * f64::from(side * side))
+        .unwrap_or(MOST)
 }
 
 /// Returns `view` with this many pixels of the picture as one each way.
@@ -80,6 +149,15 @@ fn enlarged(picture: &Picture, size: [u32; 2]) -> Picture {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_drawn_as_one_fits_into_the_time() {
+        assert_eq!(
+            [400_000.0, 399_999.0, 100_000.0, 99_999.0].map(|most| fitting([800, 500], most)),
+            [1, 2, 2, 4]
+        );
+        assert_eq!([f64::INFINITY, 0.0, f64::NAN].map(|most| fitting([800, 500], most)), [1, MOST, MOST]);
+    }
 
     #[test]
     fn every_pixel_of_a_coarse_picture_is_a_block_of_a_large_one() {

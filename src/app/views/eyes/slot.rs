@@ -26,6 +26,8 @@ pub struct DrawnBy {
     pub method: Method,
     /// Rays per pixel and direction, where the reference has made it smoother than that does.
     pub samples: Option<u32>,
+    /// Whether there is time for more pixels than in a picture that moves, where the GPU is software.
+    pub at_rest: bool,
 }
 
 /// The way in which a picture was drawn.
@@ -59,7 +61,10 @@ impl EyePicture {
         drawings: &mut u64,
         draw: impl FnOnce(&mut EyeTarget) -> Result<Drawn, GpuError>,
     ) -> Result<ShownPicture, GpuError> {
-        let up_to_date = self.drawn.as_ref().filter(|(of, drawn, _)| *drawn == by && of.shows_as(request));
+        let up_to_date = self.drawn.as_ref().filter(|(of, drawn_by, drawn)| {
+            let by = DrawnBy { at_rest: drawn_by.at_rest || (by.at_rest && drawn.coarseness > 1), ..by };
+            *drawn_by == by && of.shows_as(request)
+        });
         if let Some(&(.., drawn)) = up_to_date {
             return Ok(self.as_drawn(drawn));
         }
@@ -74,9 +79,18 @@ impl EyePicture {
         Ok(self.as_drawn(drawn))
     }
 
-    /// Whether this `request` was last drawn coarsely within a frame.
-    pub fn is_coarse(&self, request: &Request) -> bool {
-        self.coarseness > 1 && self.drawn.as_ref().is_some_and(|(of, ..)| of.shows_as(request))
+    /// Returns the method by which this `request` was last drawn coarsely within a frame, if it was.
+    pub fn coarsely_by(&self, request: &Request) -> Option<Method> {
+        let (of, _, drawn) = self.drawn.as_ref().filter(|_| self.coarseness > 1)?;
+        of.shows_as(request).then_some(drawn.method)
+    }
+
+    /// Whether it is drawn with more pixels once it rests.
+    pub fn waits_for_rest(&self) -> bool {
+        let drawn = self.drawn.as_ref();
+        drawn.is_some_and(|(_, by, drawn)| {
+            drawn.coarseness > 1 && drawn.method != Method::Packets && !by.at_rest
+        })
     }
 
     const fn as_drawn(&self, Drawn { method, coarseness }: Drawn) -> ShownPicture {
