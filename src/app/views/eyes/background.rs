@@ -13,6 +13,8 @@ use crate::app::views::picture_steps::{PictureJob, PictureSteps};
 /// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any
 /// other picture.
 const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
+/// Greatest number of rays of a step that only makes a picture smoother: about a minute's work of a processor.
+const MOST_RAYS: f64 = 5e7;
 
 /// A picture, and how many rays per pixel and direction it is made of.
 #[derive(Debug)]
@@ -88,8 +90,8 @@ impl Background {
         }
         let made = self.done.as_ref().filter(|made| made.of == *request).map_or(0, |made| made.samples);
         self.is_awaited = made < first;
-        let is_wanted = |step: &u32| *step > made && *step >= first && (*step == first || request.refine);
-        let next = STEPS.into_iter().find(is_wanted);
+        let next =
+            next_step(made, first, request.view.camera.size).filter(|step| *step == first || request.refine);
         self.is_refining = !self.is_awaited && next.is_some();
         self.requested.take_if(|(of, samples)| {
             let is_outdated = of != request && *samples > REFERENCE_SAMPLES;
@@ -114,5 +116,30 @@ impl Background {
             self.worker.stop();
         }
         (self.is_awaited, self.is_refining) = (false, false);
+    }
+}
+
+/// Returns the step after the one that is `made`, the `first` or a later one; none where the pixels of a
+/// picture of this `size` are so fine that the step would take long to change little.
+fn next_step(made: u32, first: u32, size: [u32; 2]) -> Option<u32> {
+    let pixels: f64 = size.into_iter().map(f64::from).product();
+    let has_time = |step: u32| pixels * f64::from(step * step) <= MOST_RAYS;
+    STEPS.into_iter().find(|&step| step > made && step >= first && (step == first || has_time(step)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_gets_smoother_as_long_as_its_pixels_are_few() {
+        let steps = |first, size| {
+            std::iter::successors(next_step(0, first, size), |&made| next_step(made, first, size))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(steps(REFERENCE_SAMPLES, [600, 760]), STEPS);
+        assert_eq!(steps(4, [600, 760]), [4, 8]);
+        assert_eq!(steps(REFERENCE_SAMPLES, [1500, 2000]), [REFERENCE_SAMPLES, 4]);
+        assert_eq!(steps(4, [3000, 2000]), [4]);
     }
 }
