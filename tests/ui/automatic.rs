@@ -12,7 +12,7 @@ use gamow::flags::choices::RendererChoice;
 use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
 
 use super::support::{
-    assert_sane, builder, cyclist, label_starting_with, labels, pane, repaint_delay, rest, type_into,
+    assert_sane, builder, cyclist, label_starting_with, labels, pane, repaint_delay, rest, settle, type_into,
     wait_for, wait_for_rest, window_of_size,
 };
 use super::{Test, device};
@@ -22,15 +22,22 @@ pub const TESTS: &[Test] = trials![
     what_changes_is_drawn_plainly_at_once,
     what_was_chosen_and_why_is_said,
     a_goal_that_cannot_be_is_refused,
+    what_a_gpu_in_software_draws_is_whole_at_rest,
+    what_a_gpu_in_software_draws_is_whole_at_rest,
 ];
 
 /// A small window whose pictures may get smoother.
 fn refined_window() -> Harness<'static, App> {
+    window(|app| app)
+}
+
+/// A small window, changed so when it is made.
+fn window(changed: fn(App) -> App) -> Harness<'static, App> {
     let mut state = cyclist(0.6);
     (state.document.settings.window.dials, state.document.settings.window.ruler) = (false, false);
     let mut harness = builder([800.0, 600.0])
         .renderer(device::renderer())
-        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
+        .build_eframe(|cc| changed(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)));
     harness.run_steps(3);
     harness
 }
@@ -164,4 +171,20 @@ fn a_goal_that_cannot_be_is_refused() {
     }
     assert_sane(window.state().state());
     assert!(label_starting_with(&window, "Chosen: ").contains("exact"));
+}
+
+fn what_a_gpu_in_software_draws_is_whole_at_rest() {
+    let [paced, whole] = [refined_window(), window(App::without_refinement)].map(|mut window| {
+        let mut quality = window.state().state().document.settings.quality;
+        quality.renderer = RendererChoice::Mesh;
+        window.state_mut().run(SettingsCommand::Quality(quality));
+        for time in [0.5, 1.0] {
+            window.state_mut().run(PlaybackCommand::GoTo(time));
+            window.step();
+        }
+        settle(&mut window);
+        assert!(!labels(&window).iter().any(|label| label.contains("coarse")));
+        differences(&mut window, 1)
+    });
+    assert_eq!(paced, whole);
 }

@@ -59,11 +59,11 @@ impl App {
         self.refines && quality.refine && quality.renderer != RendererChoice::Mesh && !is_measuring
     }
 
-    /// Returns this window without refinement of still views, so that its pictures do not depend on how long
-    /// they have been shown.
+    /// Returns this window without refinement of still views, each drawn in full, so that its pictures do not
+    /// depend on how long they have been shown, nor on how fast they are drawn.
     #[must_use]
     pub fn without_refinement(self) -> Self {
-        Self { refines: false, ..self }
+        Self { refines: false, eyes: self.eyes.map(EyePictures::in_full), ..self }
     }
 
     /// Whether pictures are as smooth as they get.

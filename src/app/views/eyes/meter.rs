@@ -32,6 +32,8 @@ pub struct Meter {
     measured: Receiver<Measured>,
     awaited: u32,
     pace: Pace,
+    /// Whether a picture on the GPU has as few pixels as there is time for.
+    paces_gpu: bool,
 }
 
 /// The cost of a drawing: by which method, of which geometry, milliseconds and pixels.
@@ -75,7 +77,14 @@ impl Meter {
             measured,
             awaited: 0,
             pace: Pace::default(),
+            paces_gpu: gpu.is_software() && gpu.reads_back(),
         }
+    }
+
+    /// Returns this meter, drawing in full on the GPU whatever that takes.
+    #[must_use]
+    pub fn in_full(self) -> Self {
+        Self { paces_gpu: false, ..self }
     }
 
     /// Begins a frame after this number of `drawings`, in which the choice is automatic or not.
@@ -152,7 +161,7 @@ impl Meter {
             let coarseness = self.pace.draw(renderers, gpu, request, target);
             return Ok(Drawn { method, coarseness });
         }
-        if gpu.is_software() && gpu.reads_back() && !method.is_on_cpu() {
+        if self.paces_gpu && !method.is_on_cpu() {
             let coarseness = self.pace.draw_on_gpu(renderers, gpu, (request, method, at_rest), target)?;
             return Ok(Drawn { method, coarseness });
         }

@@ -75,6 +75,12 @@ impl EyePictures {
         }
     }
 
+    /// Returns these pictures, drawn in full on the GPU whatever that takes.
+    #[must_use]
+    pub fn in_full(self) -> Self {
+        Self { meter: self.meter.in_full(), ..self }
+    }
+
     /// Has pipelines made in the background from now on; until they are there, the packets draw in their
     /// place, or the last picture stands.
     pub fn prepare_in_background(&mut self, ctx: &Context) {
