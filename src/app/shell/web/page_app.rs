@@ -8,7 +8,7 @@ use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
 use gamow_platform::web::{page, tasks};
 
-use super::address::{Fragment, Opened};
+use super::address::{Fragment, Opened, fitted_table};
 use super::webgpu::{self, FirstPicture};
 use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::shell::App;
@@ -100,6 +100,9 @@ impl PageApp {
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
             self.app.run(WindowCommand::ToggleStereoscope);
         }
+        if let Some(missing) = fragment.missing_data(self.app.state()) {
+            self.app.state.tell(missing);
+        }
         self.address.opened = Opened::from_state(self.app.state());
         self.address.fragment = Some(fragment.clone());
         self.ctx.request_repaint();
@@ -157,6 +160,7 @@ impl PageApp {
                     || fragment.stereoscope != state.session.stage.stereoscope
                     || fragment.start != matches!(opened, Some(Opened::Start))
                     || fragment.lesson.is_some() != state.course().is_some()
+                    || fragment.data.as_deref() != fitted_table(state)
             });
             if is_other || *document != state.document {
                 *due = Some(Instant::now());
