@@ -221,9 +221,10 @@ export class Window {
     // Has the element of a node do something, as a screen reader has it.
     async actOn(node, action) {
         const { object } = await this.session.send('DOM.resolveNode', { backendNodeId: node.element });
-        await this.session.send('Runtime.callFunctionOn', {
+        const { exceptionDetails } = await this.session.send('Runtime.callFunctionOn', {
             objectId: object.objectId, functionDeclaration: `function () { (${action})(this); }`,
         });
+        if (exceptionDetails) throw new Error(exceptionDetails.exception.description);
         await this.rest(300);
     }
 

@@ -181,20 +181,26 @@ test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=r
 // The roles of what somebody can do something with.
 const ACTIVE = new Set(['button', 'checkbox', 'combobox', 'link', 'radio', 'slider', 'spinbutton', 'switch', 'textbox']);
 
+// What a screen reader says in place of the slider's number. The protocol has no field for it.
+const speedSaid = window => window.page.evaluate(() => (
+    document.querySelector('#mirror [aria-label^="Speed"]').getAttribute('aria-valuetext')
+));
+
 test('a screen reader finds the window: names, roles, values and places', async t => {
-    for (const fragment of ['#start', '#scene=globe&beta=0.9', '#lesson=rods', '#present&beta=0.9', '#scene=street&beta=0.6&plot=fit']) {
+    for (const fragment of ['#start', '#scene=globe&beta=0.9', '#lesson=rods', '#scene=street&beta=0.6&plot=fit']) {
         await inWindow(fragment, async window => {
             await window.rest(1500);
             const nodes = await window.tree(), active = nodes.filter(({ role }) => ACTIVE.has(role));
             t.diagnostic(`${fragment}: ${nodes.length} nodes, ${active.length} of them to be used`);
-            assert.ok(active.length >= 5, `${active.length}`);
+            assert.ok(active.length >= 15, `${active.length}`);
             assert.deepEqual(active.filter(({ name }) => name.trim() === ''), []);
             assert.ok(nodes.some(({ role, name }) => role === 'application' && /Gamow/.test(name)));
         });
     }
     await inWindow('#scene=globe&beta=0.9', async window => {
         const speed = await window.node('slider', /^Speed/);
-        assert.equal(speed.valuetext, '0.900');
+        assert.ok(speed.value > 0 && speed.value < 1, `${speed.value}`);
+        assert.equal(await speedSaid(window), '0.900');
         const view = await window.node('image', /^Left eye view/);
         assert.ok(view.description.length > 20, view.description);
         const place = await window.page.evaluate(() => {
@@ -216,13 +222,12 @@ test('the speed slider is moved by a screen reader', () => inWindow('#scene=glob
     const speed = await window.node('slider', /^Speed/);
     const beta = async () => Number((await window.settings()).get('beta'));
     await window.actOn(speed, slider => {
-        slider.stepUp(20);
+        slider.value = '0.8';
         slider.dispatchEvent(new Event('input', { bubbles: true }));
     });
     await eventually('a higher speed', async () => await beta() > 0.5);
     const higher = await beta();
-    const { valuetext } = await window.node('slider', /^Speed/);
-    assert.equal(Number(valuetext).toFixed(2), higher.toFixed(2));
+    assert.equal(Number(await speedSaid(window)).toFixed(2), higher.toFixed(2));
     // The focus that it is given is the window's, which takes the keys.
     await window.actOn(speed, slider => slider.focus());
     await window.press('ArrowLeft');
@@ -231,7 +236,6 @@ test('the speed slider is moved by a screen reader', () => inWindow('#scene=glob
 }));
 
 test('a lesson is gone through by a screen reader and keys', () => inWindow('#lesson=ride-gate', async window => {
-    const right = { choice: [1, 2], observed: [0, 2] };
     const said = () => window.page.evaluate(() => (
         [...document.querySelectorAll('#mirror [aria-live=polite]')].map(part => part.textContent).join(' ')
     ));
@@ -248,7 +252,7 @@ test('a lesson is gone through by a screen reader and keys', () => inWindow('#le
         await eventually(explanation, async () => explanation.test(await said()));
         await choose('button', /^Next$/);
     };
-    await step(/What do you see of it/, /still ahead/, /in the picture, all of it/, /not at right angles|you ride into it/, press);
+    await step(/What do you see of it/, /still ahead/, /in the picture, all of it/, /you ride into it/, press);
     const byKeys = async (role, name) => {
         await window.tabTo(role, name);
         await window.press(' ');
@@ -258,7 +262,6 @@ test('a lesson is gone through by a screen reader and keys', () => inWindow('#le
     const answers = await window.stored('gamow/answers/ride-gate.json');
     assert.match(answers, /ride-gate/);
     await window.node('button', /^Start over/);
-    assert.ok(right);
 }));
 
 test('a link leads to the same state', () => inWindow('#beta=0.99&scene=wheel&colour=glowing', async window => {

@@ -157,7 +157,11 @@ fn is_input(target: &Element) -> bool {
     target.has_type::<HtmlInputElement>() || target.has_type::<HtmlTextAreaElement>()
 }
 
-fn on(event: &str, mut then: impl FnMut(u64, Deed) + 'static, deed: impl Fn(&Element) -> Option<Deed> + 'static) {
+fn on(
+    event: &str,
+    mut then: impl FnMut(u64, Deed) + 'static,
+    deed: impl Fn(&Element) -> Option<Deed> + 'static,
+) {
     let closure = Closure::<dyn FnMut(Event)>::new(move |event: Event| {
         let mut target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         while let Some(element) = target {

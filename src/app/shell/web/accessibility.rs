@@ -43,7 +43,8 @@ impl Accessibility {
     /// Returns the time until a tree may be made, if it may not be in this frame.
     fn rest(&mut self, frame: u64) -> Option<Duration> {
         // A frame may have several passes, of which the last one counts.
-        let rest = self.last.filter(|(last, _)| *last != frame).map(|(_, at)| INTERVAL.saturating_sub(at.elapsed()));
+        let rest =
+            self.last.filter(|(last, _)| *last != frame).map(|(_, at)| INTERVAL.saturating_sub(at.elapsed()));
         rest.filter(|rest| !rest.is_zero())
     }
 }

@@ -36,7 +36,9 @@ impl Fragment {
         for part in text.split('&').filter(|part| !part.is_empty()) {
             match part.split_once('=') {
                 Some(("lesson", name)) => fragment.lesson = Some(name.to_owned()),
-                Some(("data", name)) => fragment.data = Some(percent_decode_str(name).decode_utf8_lossy().into_owned()),
+                Some(("data", name)) => {
+                    fragment.data = Some(percent_decode_str(name).decode_utf8_lossy().into_owned())
+                }
                 None if part == "present" => fragment.presents = true,
                 None if part == "stereoscope" => fragment.stereoscope = true,
                 None if part == "start" => fragment.start = true,
@@ -57,7 +59,14 @@ impl Fragment {
         let stage = &state.session.stage;
         let start = is_start_page(state);
         let data = fitted_table(state).map(str::to_owned);
-        Some(Self { lesson, presents: stage.is_presented(), stereoscope: stage.stereoscope, start, data, pairs })
+        Some(Self {
+            lesson,
+            presents: stage.is_presented(),
+            stereoscope: stage.stereoscope,
+            start,
+            data,
+            pairs,
+        })
     }
 
     /// Returns the text behind the `#`.
@@ -66,9 +75,11 @@ impl Fragment {
         let presents = self.presents.then(|| "present".to_owned());
         let stereoscope = self.stereoscope.then(|| "stereoscope".to_owned());
         let start = self.start.then(|| "start".to_owned());
-        let data = self.data.as_ref().map(|name| format!("data={}", utf8_percent_encode(name, NON_ALPHANUMERIC)));
+        let data =
+            self.data.as_ref().map(|name| format!("data={}", utf8_percent_encode(name, NON_ALPHANUMERIC)));
         let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
-        let parts = lesson.into_iter().chain(presents).chain(stereoscope).chain(start).chain(data).chain(pairs);
+        let parts =
+            lesson.into_iter().chain(presents).chain(stereoscope).chain(start).chain(data).chain(pairs);
         parts.collect::<Vec<_>>().join("&")
     }
 

@@ -138,7 +138,10 @@ impl Nodes {
             Form::Input(_) | Form::Lines => None,
         };
         set("role", role.map(str::to_owned));
-        set("aria-level", (role == Some("heading")).then(|| node.level().map_or(2, |level| level + 1).to_string()));
+        set(
+            "aria-level",
+            (role == Some("heading")).then(|| node.level().map_or(2, |level| level + 1).to_string()),
+        );
         if let Form::Input(kind) = form {
             set("type", Some(kind.to_owned()));
         }
@@ -146,7 +149,11 @@ impl Nodes {
         let text = if is_text { name.clone() } else { None };
         set("aria-label", name.filter(|_| !is_text));
         set("aria-description", node.description().map(str::to_owned));
-        let toggled = if matches!(role, Some("checkbox" | "radio" | "switch")) { "aria-checked" } else { "aria-pressed" };
+        let toggled = if matches!(role, Some("checkbox" | "radio" | "switch")) {
+            "aria-checked"
+        } else {
+            "aria-pressed"
+        };
         let is_toggle = matches!(role, Some("button" | "checkbox" | "radio" | "switch"));
         set(toggled, node.toggled().filter(|_| is_toggle).map(|state| toggled_text(state).to_owned()));
         let expanded = node.is_expanded().or((role == Some("combobox")).then_some(false));
@@ -196,7 +203,8 @@ impl Nodes {
     /// The place on the page, to whole points: a finger on a touch screen finds an element by it.
     fn place(&self, node: &Node) -> Option<String> {
         let bounds = node.bounds()?;
-        let [x0, y0, x1, y1] = [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|at| (at * self.zoom).round());
+        let [x0, y0, x1, y1] =
+            [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|at| (at * self.zoom).round());
         let is_finite = [x0, y0, x1, y1].iter().all(|at| at.is_finite());
         is_finite.then(|| format!("left:{x0}px;top:{y0}px;width:{}px;height:{}px", x1 - x0, y1 - y0))
     }

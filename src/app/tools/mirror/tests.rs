@@ -1,4 +1,6 @@
-use eframe::egui::accesskit::{Action, Live, Node, NodeId, Rect, Role, Toggled, TreeId, TreeInfo, TreeUpdate};
+use eframe::egui::accesskit::{
+    Action, Live, Node, NodeId, Rect, Role, Toggled, TreeId, TreeInfo, TreeUpdate,
+};
 
 use super::{Change, Mirror};
 
@@ -6,7 +8,11 @@ const ROOT: NodeId = NodeId(0);
 
 fn node(role: Role, name: &str) -> Node {
     let mut node = Node::new(role);
-    if role == Role::Label { node.set_value(name) } else { node.set_label(name) }
+    if role == Role::Label {
+        node.set_value(name)
+    } else {
+        node.set_label(name)
+    }
     node
 }
 
@@ -61,7 +67,8 @@ fn a_button_has_a_role_a_name_a_state_and_a_place() {
 
 #[test]
 fn nothing_changes_where_the_tree_does_not() {
-    let nodes = [(1, parent(Role::Dialog, &[2, 3])), (2, node(Role::Label, "a")), (3, node(Role::Button, "b"))];
+    let nodes =
+        [(1, parent(Role::Dialog, &[2, 3])), (2, node(Role::Label, "a")), (3, node(Role::Button, "b"))];
     let mut mirror = Mirror::default();
     assert!(!mirror.update(tree(&nodes, NodeId(3)), 1.0).is_empty());
     assert_eq!(mirror.update(tree(&nodes, NodeId(3)), 1.0), []);
@@ -81,7 +88,8 @@ fn only_what_differs_is_touched() {
     assert!(first.contains(&Change::Value(NodeId(1), "0.5".to_owned())));
     assert!(attributes_of(&first, 1).contains(&("aria-valuetext", Some("0.9"))));
     slider.set_numeric_value(0.6);
-    let second = mirror.update(tree(&[(1, slider.clone()), (2, node(Role::Label, "changed"))], NodeId(1)), 1.0);
+    let second =
+        mirror.update(tree(&[(1, slider.clone()), (2, node(Role::Label, "changed"))], NodeId(1)), 1.0);
     let expected = [
         Change::Value(NodeId(1), "0.6".to_owned()),
         Change::Text(NodeId(2), "changed".to_owned()),
@@ -89,8 +97,7 @@ fn only_what_differs_is_touched() {
     ];
     assert_eq!(second, expected);
     let third = mirror.update(tree(&[(1, slider)], ROOT), 1.0);
-    let expected =
-        [Change::Delete(NodeId(2)), Change::Children(None, vec![NodeId(1)]), Change::Focus(None)];
+    let expected = [Change::Delete(NodeId(2)), Change::Children(None, vec![NodeId(1)]), Change::Focus(None)];
     assert_eq!(third, expected);
 }
 
