@@ -69,12 +69,15 @@ enum Form {
 impl Form {
     fn of(node: &Node) -> Self {
         match node.role() {
-            Role::Button | Role::DefaultButton | Role::ColorWell | Role::DisclosureTriangle => {
-                Self::Part("button")
-            }
-            Role::ListBoxOption | Role::MenuItem | Role::MenuListOption | Role::Tab | Role::TreeItem => {
-                Self::Part("button")
-            }
+            Role::Button
+            | Role::DefaultButton
+            | Role::ColorWell
+            | Role::DisclosureTriangle
+            | Role::ListBoxOption
+            | Role::MenuItem
+            | Role::MenuListOption
+            | Role::Tab
+            | Role::TreeItem => Self::Part("button"),
             // Something to be reached that has not said what it is.
             Role::Unknown if node.supports_action(Action::Focus) => Self::Part("button"),
             Role::CheckBox | Role::MenuItemCheckBox => Self::Part("checkbox"),
@@ -84,8 +87,11 @@ impl Form {
             Role::Link => Self::Part("link"),
             Role::ProgressIndicator => Self::Part("progressbar"),
             Role::Splitter => Self::Part("separator"),
-            Role::Image | Role::Canvas | Role::GraphicsDocument | Role::GraphicsObject => Self::Part("img"),
-            Role::GraphicsSymbol => Self::Part("img"),
+            Role::Image
+            | Role::Canvas
+            | Role::GraphicsDocument
+            | Role::GraphicsObject
+            | Role::GraphicsSymbol => Self::Part("img"),
             Role::Slider => Self::Input("range"),
             Role::SpinButton | Role::NumberInput => Self::Input("number"),
             Role::TextInput | Role::SearchInput | Role::EditableComboBox => Self::Input("text"),

@@ -9,9 +9,9 @@ const ROOT: NodeId = NodeId(0);
 fn node(role: Role, name: &str) -> Node {
     let mut node = Node::new(role);
     if role == Role::Label {
-        node.set_value(name)
+        node.set_value(name);
     } else {
-        node.set_label(name)
+        node.set_label(name);
     }
     node
 }
