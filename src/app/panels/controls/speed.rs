@@ -86,7 +86,8 @@ fn slider(ui: &mut Ui, control: SpeedControl<'_>) -> Option<SpeedSetting> {
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
     let response = widgets::explained(ui.add(slider), control.tip()).accessible_name(control.slider_name());
     ui.ctx().accesskit_node_builder(response.id, |node| {
-        // The slider's own number is a place along it. A browser says the text in its stead, and needs the place.
+        // The slider's own number is a place along it. A browser says the text in its stead, and needs the
+        // place.
         if cfg!(feature = "desktop") {
             node.clear_numeric_value();
         }

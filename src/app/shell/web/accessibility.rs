@@ -25,6 +25,8 @@ pub struct Accessibility {
     last: Option<(u64, Instant)>,
     /// Time until the next tree, if this frame makes none.
     rest: Option<Duration>,
+    /// Whether something has been done to an element in this frame.
+    is_asked: bool,
 }
 
 impl Accessibility {
@@ -61,10 +63,10 @@ impl Plugin for Accessibility {
                 self.mirror.touch(request.target_node);
             }
         }
-        let is_asked = !requests.is_empty();
+        self.is_asked = !requests.is_empty();
         input.events.extend(requests.into_iter().map(Event::AccessKitActionRequest));
         let frame = ctx.cumulative_frame_nr();
-        self.rest = self.rest(frame).filter(|_| !is_asked);
+        self.rest = self.rest(frame).filter(|_| !self.is_asked);
         if self.rest.is_some() {
             ctx.disable_accesskit();
         } else {
@@ -76,7 +78,10 @@ impl Plugin for Accessibility {
     }
 
     fn on_end_pass(&mut self, ui: &mut Ui) {
-        if let Some(rest) = self.rest {
+        if self.is_asked {
+            // A widget keeps the arrow keys from its second frame with the focus on.
+            ui.ctx().request_repaint();
+        } else if let Some(rest) = self.rest {
             ui.ctx().request_repaint_after(rest);
         }
     }

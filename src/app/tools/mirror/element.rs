@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use eframe::egui::accesskit::{Action, Live, Node, NodeId, Role, Toggled};
 
-use super::Change;
+use super::change::Change;
 
 /// An element of the page.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

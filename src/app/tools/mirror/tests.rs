@@ -22,7 +22,7 @@ fn parent(role: Role, children: &[u64]) -> Node {
     node
 }
 
-/// A tree in which all nodes but the children of `others` are the root's.
+/// A tree in which all nodes but the children of other ones are the root's.
 fn tree(nodes: &[(u64, Node)], focus: NodeId) -> TreeUpdate {
     let inner: Vec<NodeId> = nodes.iter().flat_map(|(_, node)| node.children().to_vec()).collect();
     let outer = nodes.iter().map(|(id, _)| *id).filter(|id| !inner.contains(&NodeId(*id)));
