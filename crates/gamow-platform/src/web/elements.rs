@@ -1,5 +1,5 @@
-//! Elements of the page that nobody sees, inside `#mirror`: assistive technology reads the window off them, and
-//! acts on them. Each has a number.
+//! Elements of the page that nobody sees, inside `#mirror`: assistive technology reads the window off them,
+//! and acts on them. Each has a number.
 
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::prelude::Closure;
