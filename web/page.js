@@ -22,6 +22,7 @@ function showProblem(text) {
     problem.replaceChildren(sentence, reload);
     problem.hidden = false;
     loading.hidden = true;
+    document.getElementById('mirror').hidden = true;
 }
 addEventListener('gamow-problem', () => showProblem(document.documentElement.dataset.problem));
 // A canvas on which nothing was drawn is transparent.

@@ -200,6 +200,57 @@ export class Window {
         }, [name, text]);
     }
 
+    // Chromium's accessibility tree, as a list: of each node that assistive technology finds its role, name,
+    // value and properties.
+    async tree() {
+        this.session ??= await this.page.createCDPSession();
+        const { nodes } = await this.session.send('Accessibility.getFullAXTree');
+        return nodes.filter(node => !node.ignored).map(node => ({
+            element: node.backendDOMNodeId, role: node.role.value, name: node.name?.value ?? '', value: node.value?.value,
+            description: node.description?.value ?? '',
+            ...Object.fromEntries((node.properties ?? []).map(({ name, value }) => [name, value.value])),
+        }));
+    }
+
+    // The first node of the tree with this role and a name like that, once there is one.
+    node(role, name) {
+        const isIt = node => node.role === role && name.test(node.name);
+        return eventually(`${role} ${name}`, async () => (await this.tree()).find(isIt));
+    }
+
+    // Has the element of a node do something, as a screen reader has it.
+    async actOn(node, action) {
+        const { object } = await this.session.send('DOM.resolveNode', { backendNodeId: node.element });
+        const { exceptionDetails } = await this.session.send('Runtime.callFunctionOn', {
+            objectId: object.objectId, functionDeclaration: `function () { (${action})(this); }`,
+        });
+        if (exceptionDetails) throw new Error(exceptionDetails.exception.description);
+        await this.rest(300);
+    }
+
+    // Presses Tab until a node like this has the focus, and returns it.
+    async tabTo(role, name) {
+        for (let key = 0; key < 150; key += 1) {
+            await this.press('Tab');
+            const focused = await this.focused();
+            if (focused?.role === role && name.test(focused.name)) return focused;
+        }
+        throw new Error(`no Tab leads to ${role} ${name}`);
+    }
+
+    // The node that a screen reader takes to have the focus: that to which the window's canvas points.
+    async focused() {
+        const element = await this.page.evaluate(() => {
+            const canvas = document.getElementById('gamow');
+            return document.activeElement === canvas ? canvas.getAttribute('aria-activedescendant') : document.activeElement.id;
+        });
+        if (!element) return undefined;
+        const { root } = await this.session.send('DOM.getDocument');
+        const { nodeId } = await this.session.send('DOM.querySelector', { nodeId: root.nodeId, selector: `[id="${element}"]` });
+        const { node } = await this.session.send('DOM.describeNode', { nodeId });
+        return (await this.tree()).find(({ element }) => element === node.backendNodeId);
+    }
+
     // The name and the bytes of the next download.
     async download() {
         const name = await eventually('a download', () => readdirSync(this.folder).find(name => !name.endsWith('.crdownload')));

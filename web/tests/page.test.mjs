@@ -178,6 +178,92 @@ test('a lesson is predicted, revealed and remembered', () => inWindow('#lesson=r
     assert.match(await window.stored('gamow/answers/rods.json'), /rods/);
 }));
 
+// The roles of what somebody can do something with.
+const ACTIVE = new Set(['button', 'checkbox', 'combobox', 'link', 'radio', 'slider', 'spinbutton', 'switch', 'textbox']);
+
+// What a screen reader says in place of the slider's number. The protocol has no field for it.
+const speedSaid = window => window.page.evaluate(() => (
+    document.querySelector('#mirror [aria-label^="Speed"]').getAttribute('aria-valuetext')
+));
+
+test('a screen reader finds the window: names, roles, values and places', async t => {
+    for (const fragment of ['#start', '#scene=globe&beta=0.9', '#lesson=rods', '#scene=street&beta=0.6&plot=fit']) {
+        await inWindow(fragment, async window => {
+            await window.rest(1500);
+            const nodes = await window.tree(), active = nodes.filter(({ role }) => ACTIVE.has(role));
+            t.diagnostic(`${fragment}: ${nodes.length} nodes, ${active.length} of them to be used`);
+            assert.ok(active.length >= 15, `${active.length}`);
+            assert.deepEqual(active.filter(({ name }) => name.trim() === ''), []);
+            assert.ok(nodes.some(({ role, name }) => role === 'application' && /Gamow/.test(name)));
+        });
+    }
+    await inWindow('#scene=globe&beta=0.9', async window => {
+        const speed = await window.node('slider', /^Speed/);
+        assert.ok(speed.value > 0 && speed.value < 1, `${speed.value}`);
+        assert.equal(await speedSaid(window), '0.900');
+        const view = await window.node('image', /^Left eye view/);
+        assert.ok(view.description.length > 20, view.description);
+        const place = await window.page.evaluate(() => {
+            const { x, y, width, height } = document.querySelector('#mirror [aria-label^="Speed"]').getBoundingClientRect();
+            return [x, y, x + width, y + height];
+        });
+        const [x0, y0, x1, y1] = place;
+        assert.ok(x0 <= SPEED.from[0] && SPEED.to[0] <= x1 && y0 <= SPEED.from[1] && SPEED.to[1] <= y1, `${place}`);
+        // A mouse finds the window all the same.
+        assert.equal(await window.page.evaluate(([x, y]) => document.elementFromPoint(x, y).id, SPEED.from), 'gamow');
+    });
+    await inWindow('#start', async window => {
+        await window.node('button', /^First lesson/);
+        assert.equal(await window.page.evaluate(() => document.documentElement.lang), 'en');
+    });
+});
+
+test('the speed slider is moved by a screen reader', () => inWindow('#scene=globe&beta=0.5', async window => {
+    const speed = await window.node('slider', /^Speed/);
+    const beta = async () => Number((await window.settings()).get('beta'));
+    await window.actOn(speed, slider => {
+        slider.value = '0.3';
+        slider.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+    await eventually('a higher speed', async () => await beta() > 0.5);
+    const higher = await beta();
+    assert.equal(Number(await speedSaid(window)).toFixed(2), higher.toFixed(2));
+    // The focus that it is given is the window's, which takes the keys.
+    await window.actOn(speed, slider => slider.focus());
+    await window.press('ArrowLeft');
+    await eventually('a lower speed', async () => await beta() < higher);
+    assert.equal((await window.focused()).name, speed.name);
+}));
+
+test('a lesson is gone through by a screen reader and keys', () => inWindow('#lesson=ride-gate', async window => {
+    const said = () => window.page.evaluate(() => (
+        [...document.querySelectorAll('#mirror [aria-live=polite]')].map(part => part.textContent).join(' ')
+    ));
+    const press = (role, name) => window.node(role, name).then(node => window.actOn(node, element => element.click()));
+    const step = async (question, prediction, observation, explanation, choose) => {
+        await eventually(question, async () => question.test(await said()));
+        await choose('radio', prediction);
+        assert.equal((await window.node('radio', prediction)).checked, 'true');
+        await choose('button', /^Predict/);
+        await press('button', /^Show the end/);
+        await choose('radio', observation);
+        await eventually('praise', async () => /that is what happened/.test(await said()));
+        await choose('button', /^Next$/);
+        await eventually(explanation, async () => explanation.test(await said()));
+        await choose('button', /^Next$/);
+    };
+    await step(/What do you see of it/, /still ahead/, /in the picture, all of it/, /you ride into it/, press);
+    const byKeys = async (role, name) => {
+        await window.tabTo(role, name);
+        await window.press(' ');
+    };
+    await step(/How far inside/, /6 units/, /about 6/, /already/, byKeys);
+    await eventually('the end', async () => /Even inside the gate/.test(await said()));
+    const answers = await window.stored('gamow/answers/ride-gate.json');
+    assert.match(answers, /ride-gate/);
+    await window.node('button', /^Start over/);
+}));
+
 test('a link leads to the same state', () => inWindow('#beta=0.99&scene=wheel&colour=glowing', async window => {
     await window.press('ArrowRight');
     await window.rest(2500);
@@ -357,6 +443,19 @@ test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6
     await window.act('save the state');
     await window.press('Enter');
     assert.match((await window.download()).bytes.toString(), /scene = "mine.toml"/);
+}));
+
+test('a page that has lost own data says so, and asks for them', () => inWindow('#scene=globe&beta=0.5&plot=fit&refine=off', async window => {
+    const line = (_, i) => `${i / 10 - 3},0.2,${0.03 + 1e-3 * i},${0.02 + 1e-4 * i * i}`;
+    await window.drop('my data.csv', ['T,d,dphi,dtheta', ...Array.from({ length: 60 }, line)].join('\n'));
+    const isNamed = async () => (await window.settings()).get('data') === 'my data.csv';
+    await eventually('the name of the table in the address', isNamed);
+    const says = sentence => window.page.evaluate(sentence => document.getElementById('mirror').textContent.includes(sentence), sentence);
+    assert.ok(await eventually('the table in the window', () => says('my data.csv')));
+    assert.ok(!await says('is not here'));
+    await window.page.reload();
+    await window.shown();
+    await eventually('what is missing', () => says('my data.csv is not here'));
 }));
 
 // The text that a PNG keeps under this name.

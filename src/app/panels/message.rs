@@ -1,6 +1,7 @@
 //! A message, over the views: it takes no room from any part, however long it is, and can be copied and
 //! closed.
 
+use eframe::egui::accesskit::Live;
 use eframe::egui::{
     Align, Area, Context, Frame, Id, Label, Layout, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke,
     Ui, pos2, vec2,
@@ -58,6 +59,7 @@ fn text(ui: &mut Ui, notice: &Notice, height: f32) {
     ScrollArea::vertical().max_height(height).show(ui, |ui| {
         let text = RichText::new(&notice.text).color(ui.visuals().strong_text_color());
         let response = ui.add(Label::new(text).wrap().selectable(true));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
         if let Some(path) = &notice.path {
             response.on_hover_text(path);
         }

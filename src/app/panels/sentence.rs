@@ -1,6 +1,7 @@
 //! The moment in a sentence, below the views.
 
-use eframe::egui::{self, Align2, FontId, Ui, accesskit::Role, text::LayoutJob};
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{self, Align2, FontId, Ui, text::LayoutJob};
 
 use crate::app::state::State;
 use crate::app::widgets::theme;
@@ -43,6 +44,9 @@ pub fn show(ui: &mut Ui, state: &State) {
     ui.painter().galley(place.min, galley, colour);
     let response = ui.interact(rect, ui.scope_id().with("sentence"), egui::Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &sentence));
+    // While time runs it changes faster than it could be read out.
+    let live = if state.scratch.playing { Live::Off } else { Live::Polite };
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(live));
     if !is_whole {
         response.on_hover_text(&sentence);
     }

@@ -10,6 +10,8 @@ pub mod graphics;
 #[cfg(feature = "desktop")]
 pub(in crate::app) mod icon;
 pub(in crate::app) mod image;
+#[cfg(any(test, not(feature = "desktop")))]
+pub(in crate::app) mod mirror;
 pub mod painting;
 pub(in crate::app) mod preparing;
 mod speed_slider;

@@ -14,6 +14,7 @@ pub(in crate::app) mod wavelength_colour;
 use std::ops::RangeInclusive;
 
 use clap::ValueEnum;
+use eframe::egui::accesskit::Live;
 use eframe::egui::{
     self, Align, Align2, Button, Color32, DragValue, Id, Layout, PointerButton, Rect, Response, RichText,
     Sense, Slider, SliderClamping, TextEdit, TextStyle, TextWrapMode, Ui, UiBuilder, Vec2, emath::Numeric,
@@ -35,6 +36,11 @@ pub const STEREOSCOPE_TIP: &str = "Fills the screen with the two eyes' pictures,
 const NAME_WIDTH: f32 = 88.0;
 /// Width of the numbers behind the sliders.
 const NUMBER_WIDTH: f32 = 68.0;
+
+/// Has assistive technology read out the text that appears in `ui`, once it has ended its present sentence.
+pub fn read_out(ui: &Ui) {
+    ui.ctx().accesskit_node_builder(ui.unique_id(), |node| node.set_live(Live::Polite));
+}
 
 /// Shows a titled group of rows that can be folded away, with a button in its title that resets them, unless
 /// they have their defaults: then `reset` is none, else what the button does. True if it was clicked.

@@ -2,6 +2,7 @@
 //! frames.
 
 pub mod download;
+pub mod elements;
 pub mod instances;
 pub mod locks;
 pub mod page;

@@ -86,8 +86,11 @@ fn slider(ui: &mut Ui, control: SpeedControl<'_>) -> Option<SpeedSetting> {
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
     let response = widgets::explained(ui.add(slider), control.tip()).accessible_name(control.slider_name());
     ui.ctx().accesskit_node_builder(response.id, |node| {
-        // The slider's own number is a place along it.
-        node.clear_numeric_value();
+        // The slider's own number is a place along it. A browser says the text in its stead, and needs the
+        // place.
+        if cfg!(feature = "desktop") {
+            node.clear_numeric_value();
+        }
         node.set_value(number_text::beta(&current.speed()));
     });
     let marked = marks(ui, response.rect, is_own || fields.len() == FIELDS.len());

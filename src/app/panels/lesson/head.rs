@@ -14,7 +14,7 @@ use crate::lesson::{Course, Phase, Place};
 const BUTTON_SIDE: f32 = 22.0;
 /// Radius of the dot of a step, from one to the next at most, and how high it can be clicked.
 const DOT_RADIUS: f32 = 4.0;
-const DOT_STEP: f32 = 17.0;
+const DOT_STEP: f32 = 24.0;
 const DOT_HEIGHT: f32 = 18.0;
 
 /// Shows the title and the dots.

@@ -18,8 +18,7 @@ pub use page::what_is_shown;
 
 use super::Commands;
 use crate::app::state::State;
-use crate::app::widgets::fitted;
-use crate::app::widgets::theme;
+use crate::app::widgets::{self, fitted, theme};
 
 /// Sizes of most writing, points: as large as fits.
 const SIZES: [f32; 2] = [theme::BODY_SIZE, 12.0];
@@ -54,6 +53,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let notes = page.with_min_y(page.max.y - if has_notes { NOTES_SHARE * page.height() } else { 0.0 });
         let page = page.with_max_y(notes.min.y);
         ui.scope_builder(UiBuilder::new().id_salt("page").max_rect(page), |ui| {
+            widgets::read_out(ui);
             fitted::show(ui, what_is_shown(running), SIZES, |ui| page::show(ui, state, running, commands));
         });
         if has_notes {

@@ -7,11 +7,13 @@ use super::{end, form, observed, page, shown};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::lesson::Running;
+use crate::app::widgets;
 use crate::lesson::{AnswerKind, Phase, Step};
 
 /// Shows the lesson before an audience, but for its questions where they have room beside the picture.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let Some(running) = &state.session.lesson else { return };
+    widgets::read_out(ui);
     let Some(step) = running.course.step() else { return end::sentence(ui, &running.course) };
     let asks_beside = state.asks_beside_picture();
     match running.course.place().phase {

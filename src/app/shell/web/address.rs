@@ -1,9 +1,13 @@
 //! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`,
-//! `#stereoscope`, `#start`.
+//! `#stereoscope`, `#start`; with `data=NAME` for a table of one's own, which the page has to be given again.
 
 use std::path::PathBuf;
 
+use gamow_platform::messages;
+use percent_encoding::{NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
+
 use crate::app::state::State;
+use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
 use crate::settings::{Settings, link_of_pairs};
 
@@ -18,6 +22,8 @@ pub struct Fragment {
     pub stereoscope: bool,
     /// Whether the start page lies over the window.
     pub start: bool,
+    /// The name of the table with own data that is fitted. The address cannot carry the table itself.
+    pub data: Option<String>,
     /// The settings that differ from the defaults, as in a link.
     pairs: String,
 }
@@ -30,6 +36,9 @@ impl Fragment {
         for part in text.split('&').filter(|part| !part.is_empty()) {
             match part.split_once('=') {
                 Some(("lesson", name)) => fragment.lesson = Some(name.to_owned()),
+                Some(("data", name)) => {
+                    fragment.data = Some(percent_decode_str(name).decode_utf8_lossy().into_owned())
+                }
                 None if part == "present" => fragment.presents = true,
                 None if part == "stereoscope" => fragment.stereoscope = true,
                 None if part == "start" => fragment.start = true,
@@ -49,7 +58,15 @@ impl Fragment {
         let pairs = if lesson.is_some() { String::new() } else { state.shown().link_pairs().ok()? };
         let stage = &state.session.stage;
         let start = is_start_page(state);
-        Some(Self { lesson, presents: stage.is_presented(), stereoscope: stage.stereoscope, start, pairs })
+        let data = fitted_table(state).map(str::to_owned);
+        Some(Self {
+            lesson,
+            presents: stage.is_presented(),
+            stereoscope: stage.stereoscope,
+            start,
+            data,
+            pairs,
+        })
     }
 
     /// Returns the text behind the `#`.
@@ -58,14 +75,30 @@ impl Fragment {
         let presents = self.presents.then(|| "present".to_owned());
         let stereoscope = self.stereoscope.then(|| "stereoscope".to_owned());
         let start = self.start.then(|| "start".to_owned());
+        let data =
+            self.data.as_ref().map(|name| format!("data={}", utf8_percent_encode(name, NON_ALPHANUMERIC)));
         let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
-        let parts = lesson.into_iter().chain(presents).chain(stereoscope).chain(start).chain(pairs);
+        let parts =
+            lesson.into_iter().chain(presents).chain(stereoscope).chain(start).chain(data).chain(pairs);
         parts.collect::<Vec<_>>().join("&")
     }
 
     /// Whether the address leaves open what is shown, so that a newcomer may be welcomed.
     pub fn welcomes(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// Returns the message that the page does not have the data that it names, unless `state` has them.
+    pub fn missing_data(&self, state: &State) -> Option<Notice> {
+        let name = self.data.as_ref()?;
+        let is_there = state.session.data.as_ref().is_some_and(|file| file.name == *name);
+        (!is_there).then(|| {
+            Notice::error(format!(
+                "{} is not here: the page was loaded again, or comes from a link. Until you open your data again (File, Fit own \
+                data), simulated ones are fitted.",
+                messages::excerpt(name)
+            ))
+        })
     }
 
     /// Returns the link that its settings make, if it has any.
@@ -93,6 +126,11 @@ impl Fragment {
 /// Whether the start page, or one of those behind it, lies over the window.
 fn is_start_page(state: &State) -> bool {
     state.session.overlay.is_some_and(Overlay::is_page)
+}
+
+/// Returns the name of the table with own data that is fitted, but in a lesson, which has its own address.
+pub fn fitted_table(state: &State) -> Option<&str> {
+    state.session.data.as_ref().filter(|_| state.course().is_none()).map(|file| file.name.as_str())
 }
 
 /// A place that a reader opens, and comes back to by the browser's Back.

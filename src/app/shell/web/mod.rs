@@ -1,6 +1,7 @@
 //! The window in a browser: opened in the page's canvas, or replaced by a sentence with the reason. The
 //! page's address holds the state.
 
+mod accessibility;
 mod address;
 mod copying;
 mod page_app;
@@ -13,6 +14,7 @@ use eframe::{CreationContext, WebOptions, WebRunner};
 use gamow_platform::files;
 use gamow_platform::web::{instances, page, tasks};
 
+use self::accessibility::Accessibility;
 use self::address::Fragment;
 pub(in crate::app::shell) use self::copying::Copying;
 use self::page_app::PageApp;
@@ -89,6 +91,7 @@ async fn open(runner: WebRunner) {
         if let Some(render_state) = &cc.wgpu_render_state {
             painting::install(&cc.egui_ctx, render_state);
         }
+        Accessibility::begin(&cc.egui_ctx);
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state);
         let app = app.preparing_in_background(&cc.egui_ctx).kept_by(keeper);
         Ok(Box::new(PageApp::new(app, own, cc)) as Box<dyn eframe::App>)
@@ -146,7 +149,7 @@ fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
     if fragment.start {
         state.session.overlay = Some(Overlay::Start);
     }
-    let problem = problem.map(Notice::error).or(notice);
+    let problem = problem.map(Notice::error).or(notice).or_else(|| fragment.missing_data(&state));
     state.scratch.notice = problem.or(state.scratch.notice);
     Ok(state)
 }

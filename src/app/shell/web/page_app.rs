@@ -3,12 +3,13 @@
 
 use std::time::Duration;
 
-use eframe::egui::{Context, Event, Pos2, RawInput, TouchDeviceId, TouchId, TouchPhase, Ui, Vec2};
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{Context, Event, Id, Pos2, RawInput, TouchDeviceId, TouchId, TouchPhase, Ui, Vec2};
 use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
 use gamow_platform::web::{page, tasks};
 
-use super::address::{Fragment, Opened};
+use super::address::{Fragment, Opened, fitted_table};
 use super::webgpu::{self, FirstPicture};
 use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::shell::App;
@@ -100,6 +101,9 @@ impl PageApp {
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
             self.app.run(WindowCommand::ToggleStereoscope);
         }
+        if let Some(missing) = fragment.missing_data(self.app.state()) {
+            self.app.state.tell(missing);
+        }
         self.address.opened = Opened::from_state(self.app.state());
         self.address.fragment = Some(fragment.clone());
         self.ctx.request_repaint();
@@ -157,6 +161,7 @@ impl PageApp {
                     || fragment.stereoscope != state.session.stage.stereoscope
                     || fragment.start != matches!(opened, Some(Opened::Start))
                     || fragment.lesson.is_some() != state.course().is_some()
+                    || fragment.data.as_deref() != fitted_table(state)
             });
             if is_other || *document != state.document {
                 *due = Some(Instant::now());
@@ -198,6 +203,21 @@ impl PageApp {
     }
 }
 
+/// Has screen readers say the sentence on the moment where it is not written; not in a lesson, which asks for
+/// what is in it.
+fn say_moment(ctx: &Context, state: &State) {
+    if state.course().is_some() || state.session.overlay.is_some() || state.document.settings.window.sentence
+    {
+        return;
+    }
+    ctx.accesskit_node_builder(Id::unique("moment"), |node| {
+        node.set_role(Role::Label);
+        node.set_value(state.moment().sentence());
+        // While time runs it changes faster than it could be said.
+        node.set_live(if state.scratch.playing { Live::Off } else { Live::Polite });
+    });
+}
+
 impl eframe::App for PageApp {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.end_if_broken();
@@ -208,6 +228,7 @@ impl eframe::App for PageApp {
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         self.app.ui(ui, frame);
+        say_moment(ui.ctx(), self.app.state());
     }
 
     fn raw_input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
