@@ -105,6 +105,13 @@ pub fn remove(id: u64) {
     }
 }
 
+/// Whether an element has the browser's focus.
+#[must_use]
+pub fn have_focus() -> bool {
+    let focused = document().and_then(|document| document.active_element());
+    focused.is_some_and(|element| element.id().starts_with(PREFIX))
+}
+
 fn focus_window() {
     if let Some(canvas) = page::canvas() {
         let _ = canvas.focus();

@@ -57,6 +57,8 @@ impl Plugin for Accessibility {
     }
 
     fn input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
+        // The focus of an element is the window's: else a slider would leave the arrow keys to others.
+        input.focused |= elements::have_focus();
         let requests = std::mem::take(&mut *locked(&self.requests));
         for request in &requests {
             if request.action == Action::SetValue {
@@ -79,7 +81,7 @@ impl Plugin for Accessibility {
 
     fn on_end_pass(&mut self, ui: &mut Ui) {
         if self.is_asked {
-            // A widget keeps the arrow keys from its second frame with the focus on.
+            // A widget keeps the arrow keys for itself from its second frame with the focus on.
             ui.ctx().request_repaint();
         } else if let Some(rest) = self.rest {
             ui.ctx().request_repaint_after(rest);
