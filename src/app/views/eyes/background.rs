@@ -13,7 +13,7 @@ use crate::app::views::picture_steps::{PictureJob, PictureSteps};
 /// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any
 /// other picture.
 const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
-/// Greatest number of rays of a step that only makes a picture smoother: about a minute's work of a processor.
+/// Greatest number of rays of a step that only makes a picture smoother: about a minute of a processor.
 const MOST_RAYS: f64 = 5e7;
 
 /// A picture, and how many rays per pixel and direction it is made of.
