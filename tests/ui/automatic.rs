@@ -174,7 +174,7 @@ fn a_goal_that_cannot_be_is_refused() {
 }
 
 fn what_a_gpu_in_software_draws_is_whole_at_rest() {
-    let [paced, whole] = [refined_window(), window(App::without_refinement)].map(|mut window| {
+    let at_rest = |mut window: Harness<'_, App>| {
         let mut quality = window.state().state().document.settings.quality;
         quality.renderer = RendererChoice::Mesh;
         window.state_mut().run(SettingsCommand::Quality(quality));
@@ -185,6 +185,6 @@ fn what_a_gpu_in_software_draws_is_whole_at_rest() {
         settle(&mut window);
         assert!(!labels(&window).iter().any(|label| label.contains("coarse")));
         differences(&mut window, 1)
-    });
-    assert_eq!(paced, whole);
+    };
+    assert_eq!(at_rest(refined_window()), at_rest(window(App::without_refinement)));
 }
