@@ -1,7 +1,6 @@
 //! A message, over the views: it takes no room from any part, however long it is, and can be copied and
 //! closed.
 
-use eframe::egui::accesskit::Live;
 use eframe::egui::{
     Align, Area, Context, Frame, Id, Label, Layout, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke,
     Ui, pos2, vec2,
@@ -13,7 +12,7 @@ use crate::app::commands::{Command, WindowCommand};
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::widgets::icons::{self, Icon};
-use crate::app::widgets::theme;
+use crate::app::widgets::{self, theme};
 
 /// The widest message and the least height of one, at the usual scale of writing, and what is around its
 /// text; points.
@@ -59,7 +58,7 @@ fn text(ui: &mut Ui, notice: &Notice, height: f32) {
     ScrollArea::vertical().max_height(height).show(ui, |ui| {
         let text = RichText::new(&notice.text).color(ui.visuals().strong_text_color());
         let response = ui.add(Label::new(text).wrap().selectable(true));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
+        widgets::read_out(ui.ctx(), response.id);
         if let Some(path) = &notice.path {
             response.on_hover_text(path);
         }

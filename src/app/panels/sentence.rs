@@ -44,10 +44,14 @@ pub fn show(ui: &mut Ui, state: &State) {
     ui.painter().galley(place.min, galley, colour);
     let response = ui.interact(rect, ui.scope_id().with("sentence"), egui::Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &sentence));
-    // While time runs it changes faster than it could be read out.
-    let live = if state.scratch.playing { Live::Off } else { Live::Polite };
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(live));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(live(state)));
     if !is_whole {
         response.on_hover_text(&sentence);
     }
+}
+
+/// Returns whether assistive technology reads out the sentence when it changes: while time runs it changes
+/// faster than that.
+pub const fn live(state: &State) -> Live {
+    if state.scratch.playing { Live::Off } else { Live::Polite }
 }

@@ -16,9 +16,9 @@ use std::ops::RangeInclusive;
 use clap::ValueEnum;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{
-    self, Align, Align2, Button, Color32, DragValue, Id, Layout, PointerButton, Rect, Response, RichText,
-    Sense, Slider, SliderClamping, TextEdit, TextStyle, TextWrapMode, Ui, UiBuilder, Vec2, emath::Numeric,
-    pos2, vec2,
+    self, Align, Align2, Button, Color32, Context, DragValue, Id, Layout, PointerButton, Rect, Response,
+    RichText, Sense, Slider, SliderClamping, TextEdit, TextStyle, TextWrapMode, Ui, UiBuilder, Vec2,
+    emath::Numeric, pos2, vec2,
 };
 use relativity_core::math;
 
@@ -37,9 +37,10 @@ const NAME_WIDTH: f32 = 88.0;
 /// Width of the numbers behind the sliders.
 const NUMBER_WIDTH: f32 = 68.0;
 
-/// Has assistive technology read out the text that appears in `ui`, once it has ended its present sentence.
-pub fn read_out(ui: &Ui) {
-    ui.ctx().accesskit_node_builder(ui.unique_id(), |node| node.set_live(Live::Polite));
+/// Has assistive technology read out the text that appears in the widget or the part called `id`, once it has
+/// ended its present sentence.
+pub fn read_out(ctx: &Context, id: Id) {
+    ctx.accesskit_node_builder(id, |node| node.set_live(Live::Polite));
 }
 
 /// Shows a titled group of rows that can be folded away, with a button in its title that resets them, unless

@@ -70,7 +70,7 @@ pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> TargetMask {
 
 /// A target in a layer.
 pub struct Located {
-    /// Its place; none if it is not seen.
+    /// The target's place in the picture; none if the eye does not see it.
     pub place: Option<PixelPlace>,
     /// Share of the outline of a body beside which more of it is hidden: by what is nearer, or by the end of
     /// the picture.

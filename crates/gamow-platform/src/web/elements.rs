@@ -14,16 +14,16 @@ const PREFIX: &str = "gamow-";
 /// Keys that are only held while another is pressed, or that have a screen reader stop speaking.
 const HELD: [&str; 4] = ["Alt", "Control", "Meta", "Shift"];
 
-/// What somebody has done to an element.
+/// An act of assistive technology on an element.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Deed {
-    /// It is clicked.
+    /// A click, as on the widget.
     Click,
-    /// It is given the focus of the keyboard.
+    /// Moving the focus of the keyboard to it.
     Focus,
-    /// It gets this number, as a slider.
+    /// Setting a slider to this number.
     Number(f64),
-    /// It gets this text, as a field.
+    /// Writing this text into a field.
     Text(String),
 }
 

@@ -53,7 +53,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let notes = page.with_min_y(page.max.y - if has_notes { NOTES_SHARE * page.height() } else { 0.0 });
         let page = page.with_max_y(notes.min.y);
         ui.scope_builder(UiBuilder::new().id_salt("page").max_rect(page), |ui| {
-            widgets::read_out(ui);
+            widgets::read_out(ui.ctx(), ui.unique_id());
             fitted::show(ui, what_is_shown(running), SIZES, |ui| page::show(ui, state, running, commands));
         });
         if has_notes {

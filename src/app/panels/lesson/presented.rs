@@ -13,7 +13,7 @@ use crate::lesson::{AnswerKind, Phase, Step};
 /// Shows the lesson before an audience, but for its questions where they have room beside the picture.
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let Some(running) = &state.session.lesson else { return };
-    widgets::read_out(ui);
+    widgets::read_out(ui.ctx(), ui.unique_id());
     let Some(step) = running.course.step() else { return end::sentence(ui, &running.course) };
     let asks_beside = state.asks_beside_picture();
     match running.course.place().phase {

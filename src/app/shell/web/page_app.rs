@@ -3,7 +3,7 @@
 
 use std::time::Duration;
 
-use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Context, Event, Id, Pos2, RawInput, TouchDeviceId, TouchId, TouchPhase, Ui, Vec2};
 use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
@@ -12,6 +12,7 @@ use gamow_platform::web::{page, tasks};
 use super::address::{Fragment, Opened, fitted_table};
 use super::webgpu::{self, FirstPicture};
 use crate::app::commands::{FileCommand, WindowCommand};
+use crate::app::panels::sentence;
 use crate::app::shell::App;
 use crate::app::state::State;
 use crate::app::state::document::Document;
@@ -213,8 +214,7 @@ fn say_moment(ctx: &Context, state: &State) {
     ctx.accesskit_node_builder(Id::unique("moment"), |node| {
         node.set_role(Role::Label);
         node.set_value(state.moment().sentence());
-        // While time runs it changes faster than it could be said.
-        node.set_live(if state.scratch.playing { Live::Off } else { Live::Polite });
+        node.set_live(sentence::live(state));
     });
 }
 

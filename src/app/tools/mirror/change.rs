@@ -17,6 +17,6 @@ pub enum Change {
     Children(Option<NodeId>, Vec<NodeId>),
     /// Removes an element. What is still in it stays in the mirror.
     Delete(NodeId),
-    /// Marks the element that has the focus of the keyboard, if one has it.
+    /// Moves the focus of the keyboard to this element, or to none of them.
     Focus(Option<NodeId>),
 }

@@ -195,7 +195,7 @@ impl Nodes {
         Some(Element { tag, children: Vec::new(), attributes, text, value, is_group })
     }
 
-    /// The name of a node: its own, that of its labels, or what an empty field says.
+    /// The name of a node: its own, that of its labels, or the placeholder of an empty field.
     fn name(&self, node: &Node) -> Option<String> {
         let own = node.label().or_else(|| if Form::of(node) == Form::Text { node.value() } else { None });
         let of_labels = || {

@@ -4,6 +4,7 @@
 use eframe::egui::Context;
 use relativity_render::Picture;
 
+use super::pace::pixels;
 use super::request::Request;
 use crate::accuracy::REFERENCE_SAMPLES;
 use crate::app::tools::debounce::Debounce;
@@ -122,8 +123,7 @@ impl Background {
 /// Returns the step after the one that is `made`, the `first` or a later one; none where the pixels of a
 /// picture of this `size` are so fine that the step would take long to change little.
 fn next_step(made: u32, first: u32, size: [u32; 2]) -> Option<u32> {
-    let pixels: f64 = size.into_iter().map(f64::from).product();
-    let has_time = |step: u32| pixels * f64::from(step * step) <= MOST_RAYS;
+    let has_time = |step: u32| pixels(size) * f64::from(step * step) <= MOST_RAYS;
     STEPS.into_iter().find(|&step| step > made && step >= first && (step == first || has_time(step)))
 }
 

@@ -104,9 +104,9 @@ impl Meter {
         Some(Chosen { choice, method: trial.unwrap_or(choice.method) })
     }
 
-    /// Draws `request` as `by` says into `target`. What is measured is waited for where that is possible, and
-    /// so is what was begun before it; once a cost is known that is done twice a second at most, so that it
-    /// holds nothing up.
+    /// Draws `request` into `target` by the method of `by`. What is measured is waited for where that is
+    /// possible, and so is what was begun before it; once a cost is known that is done twice a second at
+    /// most, so that it holds nothing up.
     pub fn draw(
         &mut self,
         renderers: &mut Renderers,
@@ -142,7 +142,8 @@ impl Meter {
         Ok(drew)
     }
 
-    /// Draws `request` as `by` says into `target`.
+    /// Draws `request` into `target` by the method of `by`, on a GPU in software with as many pixels as there
+    /// is time for.
     fn draw_now(
         &mut self,
         renderers: &mut Renderers,

@@ -114,7 +114,8 @@ impl Pace {
     }
 }
 
-fn pixels(size: [u32; 2]) -> f64 {
+/// Number of pixels of a picture of this `size`.
+pub(super) fn pixels(size: [u32; 2]) -> f64 {
     size.into_iter().map(f64::from).product()
 }
 
