@@ -3,7 +3,11 @@
     not(test),
     warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)
 )]
-#![cfg_attr(not(feature = "desktop"), expect(dead_code, reason = "some of it only the commands use"))]
+#![cfg_attr(
+    not(all(feature = "desktop", feature = "window")),
+    expect(dead_code, reason = "some of it only the commands use, and some only the window")
+)]
+#![cfg_attr(not(feature = "window"), expect(unused_imports, reason = "some of it only the window uses"))]
 
 #[cfg(all(not(feature = "desktop"), not(target_arch = "wasm32")))]
 compile_error!(
@@ -11,9 +15,10 @@ compile_error!(
 );
 
 pub mod accuracy;
+#[cfg(feature = "window")]
 pub mod app;
 pub mod caption;
-#[cfg(feature = "desktop")]
+#[cfg(all(feature = "desktop", feature = "window"))]
 pub mod cli;
 pub mod columns;
 pub mod comfort;

@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::{Args, ValueEnum};
-use gamow_platform::files;
+use gamow_platform::threads::prelude::*;
+use gamow_platform::{files, progress};
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
+use relativity_core::threads;
 use relativity_render::picture::rectify::{LightCorrection, Rectification};
 use relativity_render::{Camera, Picture, Projection, Velocity};
 
@@ -107,7 +109,8 @@ impl RectifyArgs {
         let settings = self.settings(recorded.clone(), file.picture().size)?;
         let (seen, eye) = self.of_an_eye(file, &settings).with_context(|| name.clone())?;
         let rectification = &self.rectifications(seen.size, &settings)?[eye];
-        let corrected = rectification.picture(&seen, self.light(recorded.as_ref()));
+        let light = self.light(recorded.as_ref());
+        let corrected = progress::shown_while(1, || rectification.picture(&seen, light));
         let provenance = Provenance {
             title: format!("{name}, corrected"),
             parameters: self.parameters(rectification)?,
@@ -144,7 +147,8 @@ impl RectifyArgs {
         let recorded = self.recorded(&measured.command());
         let settings = self.settings(recorded.clone(), measured.size)?;
         let rectifications = self.rectifications(measured.size, &settings)?;
-        let (sources, light) = (rectifications.each_ref().map(sources), self.light(recorded.as_ref()));
+        let sources = progress::shown_while(2, || rectifications.each_ref().map(sources));
+        let light = self.light(recorded.as_ref());
         let corrected = measured.map(measured.size, |name, values| {
             let eye = usize::from(name.starts_with(EYES[1]));
             let channel = Channel::from_name(name);
@@ -243,5 +247,11 @@ fn sources(rectification: &Rectification) -> Vec<Option<PixelSource>> {
         let doppler = rectification.doppler_factor([u + 0.5, v + 0.5]);
         Some(PixelSource { pixel: v as usize * width as usize + u as usize, doppler })
     };
-    (0..height).flat_map(|row| (0..width).map(move |column| source(column, row))).collect()
+    let row_done = threads::in_parts(height);
+    let row = |row: u32| {
+        let sources: Vec<_> = (0..width).map(|column| source(column, row)).collect();
+        row_done();
+        sources
+    };
+    (0..height).into_par_iter().flat_map_iter(row).collect()
 }

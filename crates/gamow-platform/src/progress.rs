@@ -1,9 +1,20 @@
 //! Progress of a command, on a terminal.
 
+use std::sync::Arc;
+use std::time::Duration;
+
 pub use indicatif::ProgressBar;
 use indicatif::ProgressStyle;
+use relativity_core::threads::{Watch, watched};
 
-use crate::messages;
+use crate::{messages, threads};
+
+/// Work that takes no longer than this is not shown.
+const PATIENCE: Duration = Duration::from_secs(2);
+/// The time from one look at work to the next.
+const PERIOD: Duration = Duration::from_millis(100);
+/// Steps of a bar that shows parts of a whole.
+const STEPS: f64 = 1000.0;
 
 /// Returns a bar of `steps` steps, called `things`: on standard error, and only if that is a terminal.
 #[must_use]
@@ -17,6 +28,26 @@ fn shown(progress: ProgressBar, template: &str, things: &'static str) -> Progres
     }
     let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
     progress.with_style(style).with_prefix(things)
+}
+
+/// Does `work`, which has so many pieces of about the same size, and shows how far it is: on standard error,
+/// if that is a terminal and it takes its time.
+pub fn shown_while<T: Send>(pieces: usize, work: impl FnOnce() -> T + Send) -> T {
+    let bar = shown(ProgressBar::new(STEPS as u64), "{bar:40} {percent} %, {eta} left", "");
+    if bar.is_hidden() {
+        return work();
+    }
+    let watch = Arc::new(Watch::default());
+    let look = || {
+        let done = watch.pieces_done() / pieces as f64;
+        // Of work that does not tell, nothing is known.
+        if done > 0.0 && bar.elapsed() > PATIENCE {
+            bar.set_position((STEPS * done.min(1.0)) as u64);
+        }
+    };
+    let result = threads::beside(|| watched(&watch, work), PERIOD, look);
+    bar.finish_and_clear();
+    result
 }
 
 /// A count of things of which nobody knows how many there will be, shown where a [`bar`] is.

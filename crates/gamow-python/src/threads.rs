@@ -4,14 +4,13 @@
 
 use std::ffi::CString;
 use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
 use gamow_platform::messages;
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
-use relativity_core::threads::{ThreadPool, ThreadPoolBuilder, until};
+use relativity_core::threads::{ThreadPool, ThreadPoolBuilder, Watch, watched};
 
 /// The process that loaded the package, whose threads are the usual ones.
 static LOADED_BY: OnceLock<u32> = OnceLock::new();
@@ -48,16 +47,18 @@ const PERIOD: Duration = Duration::from_millis(50);
 ///
 /// The exception of a signal's handler: a KeyboardInterrupt, usually.
 pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
-    let (stop, mut interrupt) = (Arc::new(AtomicBool::new(false)), None);
+    let (watch, mut interrupt) = (Arc::new(Watch::default()), None);
     let look = || {
         if interrupt.is_none() {
             interrupt = Python::attach(|py| py.check_signals().err());
-            stop.store(interrupt.is_some(), Ordering::Relaxed);
+            if interrupt.is_some() {
+                watch.stop();
+            }
         }
     };
     let result = py.detach(|| {
         let pool = pool_of_child()?;
-        let work = || until(&stop, work);
+        let work = || watched(&watch, work);
         Ok(gamow_platform::threads::beside(
             || match pool {
                 Some(pool) => pool.install(work),

@@ -6,7 +6,7 @@ mod vr180;
 use std::path::{Path, PathBuf};
 
 use clap::{Arg, Args};
-use gamow_platform::{files, messages};
+use gamow_platform::{files, messages, progress};
 
 use self::sequence::TimeArgs;
 pub use self::vr180::fitted;
@@ -83,7 +83,8 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let frame = studio.frame(None)?;
     let out = vr180::named(studio.settings(), &args.out);
     for _ in 0..if args.timings { args.repeat } else { 1 } {
-        studio.make_file(&frame, kind, &out)?;
+        let pictures = if kind == FileKind::Exr { 2 } else { studio.settings().picture.eyes().len() };
+        progress::shown_while(pictures, || studio.make_file(&frame, kind, &out))?;
     }
     if out != args.out {
         messages::remark(format_args!(

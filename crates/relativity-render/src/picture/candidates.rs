@@ -88,7 +88,7 @@ impl PreparedScene {
         }
         let division = PictureDivision::new(self, view, group_views);
         let bands = image.par_chunks_mut(width as usize * BAND as usize).enumerate();
-        let goes_on = threads::goes_on();
+        let (goes_on, done) = (threads::goes_on(), threads::in_parts(height.div_ceil(BAND)));
         bands.filter(|(number, _)| wanted(*number as u32 * BAND)).for_each(|(number, values)| {
             let top = number as u32 * BAND;
             let tile = Tile { corner: [0, top], size: [width, BAND.min(height - top)] };
@@ -100,6 +100,7 @@ impl PreparedScene {
                     draw(look, &mut rows);
                 }
             });
+            done();
         });
         image
     }

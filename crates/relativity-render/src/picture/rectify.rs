@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 use glam::DVec3;
 use relativity_core::doppler::intensity_factor;
 use relativity_core::math::{atan, sinh};
-use relativity_core::threads::prelude::*;
+use relativity_core::threads::{self, prelude::*};
 
 use super::pixels::{Picture, encoded, sample_grid};
 use crate::camera::lines_of_sight::LinesOfSight;
@@ -129,6 +129,7 @@ impl Rectification {
     pub fn picture(&self, picture: &Picture, light: LightCorrection) -> Picture {
         let linear: [f64; 256] = std::array::from_fn(|byte| srgb_decoded(byte as f64 / 255.0));
         let [width, height] = self.rest.size;
+        let row_done = threads::in_parts(height);
         let pixel = |index: u32| {
             let mut sum = [0.0; 3];
             for place in sample_grid([index % width, index / width], SAMPLES) {
@@ -136,6 +137,9 @@ impl Rectification {
                 let colour = interpolated(picture, &linear, source);
                 let corrected = light.corrected(colour, self.doppler_factor(source));
                 sum = std::array::from_fn(|i| sum[i] + corrected[i]);
+            }
+            if (index + 1).is_multiple_of(width) {
+                row_done();
             }
             encoded(sum.map(|part| part / f64::from(SAMPLES * SAMPLES)))
         };
