@@ -12,15 +12,17 @@ use gamow::flags::FieldOfView;
 use gamow::flags::choices::GazeChoice;
 use gamow::scene::Scene;
 use gamow::settings::{PlotSettings, PlotTab, Settings};
+use relativity_render::{Colour, Shading};
 
 use super::Test;
 use super::picking::click;
-use super::support::{drag, labels, pane, shown, slider, window};
+use super::support::{drag, label_starting_with, labels, pane, shown, slider, window};
 
 pub const TESTS: &[Test] = trials![
     a_point_that_rests_keeps_its_colour_place_and_disparity,
     a_point_that_rests_or_comes_is_not_fitted_and_why_is_said,
     markers_lie_where_the_reference_shows_their_points,
+    the_colour_that_is_read_out_is_that_of_the_picture,
 ];
 
 /// A ball that passes at the scene's speed, one that rests beside the road, and one that comes the other way.
@@ -129,5 +131,27 @@ fn markers_lie_where_the_reference_shows_their_points() {
                 }
             }
         }
+    }
+}
+
+fn the_colour_that_is_read_out_is_that_of_the_picture() {
+    for colour in [Colour::White, Colour::Glowing, Colour::StreetDaylight] {
+        let mut state = groups();
+        let mut settings = Settings::clone(&state.document.settings);
+        (settings.light.colour, settings.light.shading) = (colour, Shading::Emission);
+        state.set(settings).expect("a scene that is there");
+        let mut window = window(state);
+        let clicked = place(&window, ONCOMING);
+        click(&mut window, clicked, Modifiers::NONE);
+        let (state, pane) = (window.state().state(), pane(&window, 0));
+        let size = [pane.width() as u32, pane.height() as u32];
+        let is_light = !window.ctx.global_style().visuals.dark_mode;
+        let (view, appearance) = (state.view(Eye::Left, size), state.appearance(is_light));
+        let picture = state.document.prepared.picture(&view, &appearance, 1);
+        let [u, v] = (clicked - pane.min).into();
+        let [r, g, b, _] = picture.rgba[v as usize * size[0] as usize + u as usize];
+        let read = label_starting_with(&window, "Left eye, Colour: ");
+        assert_eq!(read, format!("Left eye, Colour: #{r:02X}{g:02X}{b:02X}"), "{colour:?}");
+        assert!(window.query_by_label_contains("Received wavelength").is_none());
     }
 }

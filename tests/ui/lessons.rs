@@ -14,7 +14,9 @@ use gamow::settings::{PlotTab, Presence, Settings, Theme, WindowSettings};
 use relativity_render::Gaze;
 
 use super::Test;
-use super::support::{in_layout, labels, open, type_into, wait_for, wait_for_file, window_without_pictures};
+use super::support::{
+    in_layout, labels, open, some_lessons, type_into, wait_for, wait_for_file, window_without_pictures,
+};
 
 pub const TESTS: &[Test] = trials![
     a_lesson_is_gone_through_by_its_labels,
@@ -700,7 +702,7 @@ fn every_step_of_every_lesson_fits_and_shows_its_state() {
 fn every_step_of_every_lesson_fits_before_an_audience() {
     let size = [800.0, 600.0];
     let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
-    for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
+    for lesson in &some_lessons(2) {
         let mut window = window(lesson, size);
         window.state_mut().run(WindowCommand::TogglePresenting);
         window.run_steps(3);

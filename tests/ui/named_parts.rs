@@ -6,16 +6,17 @@
 //! unnoticed.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
 use gamow::app::commands::WindowCommand;
 use gamow::app::shell::App;
-use gamow::lesson::{AnswerKind, Course, Library, Phase};
+use gamow::lesson::{AnswerKind, Course, Lesson, Phase};
 
 use super::Test;
 use super::lessons::{course, walk, window};
-use super::support::{PaintedText, painted_texts};
+use super::support::{PaintedText, all_lessons, painted_texts, some_lessons};
 
 pub const TESTS: &[Test] = trials![
     the_window_shows_what_a_lesson_names,
@@ -228,10 +229,16 @@ fn without_formulas(text: &str) -> String {
     text.split('$').step_by(2).collect::<Vec<_>>().join(" ")
 }
 
-/// Goes through all lessons in windows of this `size`, as `arranged`, and looks for `least` of each part.
-fn look_at_all(size: [f32; 2], least: usize, arranged: impl Fn(&mut Harness<'static, App>)) {
+/// Goes through `lessons` in windows of this `size`, as `arranged`, and looks for `least` of each part. Returns
+/// the parts that they name.
+fn look_at(
+    lessons: &[Arc<Lesson>],
+    size: [f32; 2],
+    least: usize,
+    arranged: impl Fn(&mut Harness<'static, App>),
+) -> BTreeMap<String, usize> {
     let mut found = Found::default();
-    for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
+    for lesson in lessons {
         let mut window = window(lesson, size);
         arranged(&mut window);
         walk(&mut window, lesson, |window, name| {
@@ -241,6 +248,11 @@ fn look_at_all(size: [f32; 2], least: usize, arranged: impl Fn(&mut Harness<'sta
     }
     let Found { seen, missed } = found;
     assert!(missed.is_empty(), "not on the screen, and not known as stressed:\n{}", missed.join("\n"));
+    seen
+}
+
+fn the_window_shows_what_a_lesson_names() {
+    let seen = look_at(&all_lessons(), [1280.0, 800.0], 1, |_| {});
     // Each phrase is used, so that none passes because nobody says it.
     let unused: Vec<_> = PARTS
         .iter()
@@ -253,12 +265,8 @@ fn look_at_all(size: [f32; 2], least: usize, arranged: impl Fn(&mut Harness<'sta
     }
 }
 
-fn the_window_shows_what_a_lesson_names() {
-    look_at_all([1280.0, 800.0], 1, |_| {});
-}
-
 fn an_audience_is_shown_what_a_lesson_names() {
-    look_at_all([1366.0, 768.0], 1, |window| {
+    look_at(&some_lessons(0), [1366.0, 768.0], 1, |window| {
         window.state_mut().run(WindowCommand::TogglePresenting);
         window.run_steps(4);
     });
@@ -266,14 +274,14 @@ fn an_audience_is_shown_what_a_lesson_names() {
 
 /// Without a system that has windows it stands in this one: what a lesson names is there twice.
 fn the_projectors_window_shows_what_a_lesson_names() {
-    look_at_all([1920.0, 1080.0], 2, |window| {
+    look_at(&some_lessons(1), [1920.0, 1080.0], 2, |window| {
         window.state_mut().run(WindowCommand::ToggleProjector);
         window.run_steps(4);
     });
 }
 
 fn a_phone_shows_what_a_lesson_names() {
-    look_at_all([360.0, 740.0], 1, |_| {});
+    look_at(&some_lessons(2), [360.0, 740.0], 1, |_| {});
 }
 
 /// A window that shows nothing of what the table names has none of it: each row can fail.

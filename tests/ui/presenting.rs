@@ -8,15 +8,14 @@ use gamow::app::commands::{PlaybackCommand, SettingsCommand, Switch, WindowComma
 use gamow::app::shell::App;
 use gamow::app::state::lesson::LessonCommand;
 use gamow::flags::choices::Layout;
-use gamow::lesson::Library;
 use gamow::settings::{MotionSettings, PlotSettings, Preset, ScreenSettings, WindowSettings};
 
 use super::Test;
 use super::layouts::assert_no_broken_numbers;
 use super::screens::{LEAST_PICTURE, painted_over, pictures};
 use super::support::{
-    cyclist, drag, in_layout, label_starting_with, labels, pane, sweep, wide_window, window, window_of_size,
-    window_without_pictures,
+    cyclist, drag, in_layout, label_starting_with, labels, pane, some_lessons, sweep, wide_window, window,
+    window_of_size, window_without_pictures,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -190,9 +189,7 @@ fn words_are_high(window: &Harness<'_, App>, size: [f32; 2]) -> bool {
 }
 
 fn every_step_of_every_lesson_keeps_its_large_picture_in_one_place_before_an_audience() {
-    let lessons = Library::own();
-    let lessons = lessons.all().iter().filter(|lesson| !lesson.is_a_preset());
-    for (number, lesson) in lessons.enumerate() {
+    for (number, lesson) in some_lessons(2).iter().enumerate() {
         let count = sweep([1, SCREENS.len()]);
         for size in (0..count).map(|other| SCREENS[(number + other) % SCREENS.len()]) {
             let mut state = cyclist(0.9);

@@ -1,5 +1,6 @@
 //! A window without a display, and what a test reads off it.
 
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -15,6 +16,7 @@ use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::flags::choices::Layout;
 use gamow::flags::{SpeedParameter, SpeedSetting};
+use gamow::lesson::{Lesson, Library};
 use gamow::settings::Settings;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
@@ -87,6 +89,20 @@ pub fn window_without_pictures(state: State, size: [f32; 2]) -> Harness<'static,
 /// `GAMOW_SWEEPS=full`, as in the nightly checks.
 pub fn sweep([some, all]: [usize; 2]) -> usize {
     if std::env::var_os("GAMOW_SWEEPS").is_some_and(|value| value == "full") { all } else { some }
+}
+
+/// Returns the lessons that a test of this `number` walks through: usually a third of all, another one than
+/// that of the next number, and in the nightly checks all.
+pub fn some_lessons(number: usize) -> Vec<Arc<Lesson>> {
+    let parts = sweep([3, 1]);
+    let lessons = Library::own();
+    let lessons = lessons.all().iter().filter(|lesson| !lesson.is_a_preset());
+    lessons.skip(number % parts).step_by(parts).cloned().collect()
+}
+
+/// Returns all of them.
+pub fn all_lessons() -> Vec<Arc<Lesson>> {
+    Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()).cloned().collect()
 }
 
 pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {

@@ -7,12 +7,12 @@ use gamow::app::commands::WindowCommand;
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::lesson::LessonCommand;
-use gamow::lesson::{Course, Library, Phase};
+use gamow::lesson::{Course, Phase};
 use gamow::settings::{MapFace, PlotTab, Presence, Preset, Settings};
 
 use super::Test;
 use super::random_user::dice::Dice;
-use super::support::{settle, sweep, window_without_pictures};
+use super::support::{settle, some_lessons, sweep, window_without_pictures};
 
 pub const TESTS: &[Test] = trials![
     a_preset_about_a_fit_shows_an_audience_its_readings_residuals_and_numbers,
@@ -77,7 +77,7 @@ fn an_audience_reads_every_word_of_every_lesson() {
     let size = [1024.0, 600.0];
     let screen = Rect::from_min_size(Pos2::ZERO, size.into());
     let mut small = Vec::new();
-    for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
+    for lesson in &some_lessons(0) {
         let mut state = State::open(Settings::default()).expect("usual settings");
         state.begin_lesson(lesson).expect("it can be worked out");
         let mut window = presented(state, size);
@@ -166,7 +166,7 @@ fn beginning(text: &str) -> &str {
 
 fn no_press_of_a_presenters_two_keys_hides_a_plot_or_a_text() {
     let size = [1280.0, 800.0];
-    for (number, lesson) in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()).enumerate() {
+    for (number, lesson) in some_lessons(1).iter().enumerate() {
         let mut state = State::open(Settings::default()).expect("usual settings");
         state.begin_lesson(lesson).expect("it can be worked out");
         let mut window = presented(state, size);

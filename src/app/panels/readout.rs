@@ -4,13 +4,14 @@ use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sen
 use relativity_core::{
     Disparity, Model, ObserverError, ObserverVelocity, Sighting, StereoError, doppler::received_wavelength,
 };
-use relativity_render::{Velocity, colour};
+use relativity_render::{Light, Velocity, colour};
 
 use super::Commands;
 use crate::app::commands::SettingsCommand;
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::app::state::queries::on_wheel::{OnWheel, angle_text};
+use crate::app::state::queries::spectrum::PointLight;
 use crate::app::widgets::theme;
 use crate::app::widgets::{dot, named_text};
 use crate::caption::capitalised;
@@ -96,7 +97,7 @@ fn table(ui: &mut Ui, state: &State) {
         shown: Eye::BOTH.map(|eye| state.sighting(point, eye)),
         exact: exact_beside(state).map(|exact| exact.secondary),
     };
-    let rest_wavelength = state.rest_wavelength_nm(point);
+    let light = state.point_light(!ui.visuals().dark_mode);
     Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(
         ui,
         |ui| {
@@ -107,7 +108,12 @@ fn table(ui: &mut Ui, state: &State) {
                 ui.label(RichText::new(name).color(theme::eye_colour(eye, ui.visuals())));
             }
             ui.end_row();
-            wavelengths(ui, &received, rest_wavelength);
+            match (light.light, state.rest_wavelength_nm(point)) {
+                (Light::Line(nm), _) | (Light::Map, Some(nm)) => wavelengths(ui, &received, nm),
+                (Light::Glow(_) | Light::Painted(_), _) => colours(ui, &light),
+                // False colours show no light.
+                (Light::Map, None) => {}
+            }
             for quantity in Quantity::READ_OUT {
                 row(ui, state, &received, quantity);
                 match quantity {
@@ -330,44 +336,54 @@ fn received_time(ui: &mut Ui, state: &State, received: &SelectedSightings) {
     ui.end_row();
 }
 
-fn wavelengths(ui: &mut Ui, received: &SelectedSightings, rest_wavelength: Option<f64>) {
-    let tip = rest_wavelength.map_or_else(
-        || "White light has every wavelength.".to_owned(),
-        |nm| {
-            format!(
-                "Received wavelength; at rest {} nm.\nλ received = λ at rest / D",
-                number_text::fixed(nm, 0)
-            )
-        },
+fn wavelengths(ui: &mut Ui, received: &SelectedSightings, at_rest_nm: f64) {
+    let tip = format!(
+        "Received wavelength; at rest {} nm.\nλ received = λ at rest / D",
+        number_text::fixed(at_rest_nm, 0)
     );
     ui.label(RichText::new("λ / nm").weak()).on_hover_text(&tip);
-    let of = |seen: &Sighting| rest_wavelength.map(|nm| received_wavelength(nm, seen.doppler_factor));
+    let of = |seen: &Sighting| received_wavelength(at_rest_nm, seen.doppler_factor);
     for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
-        let wavelength = seen.as_ref().and_then(of);
+        let wavelength = seen.as_ref().map(of);
         let text = number_text::fixed_or_none(wavelength, 1);
-        let tip = received.tip(eye, &tip, |exact| number_text::fixed_or_none(of(exact), 1) + " nm");
+        let tip = received.tip(eye, &tip, |exact| number_text::fixed(of(exact), 1) + " nm");
         let name = format!("{}, Received wavelength: {text} nm", eye.name());
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = 5.0;
-            named_text(ui, text, name).on_hover_text(&tip);
-            swatch(ui, wavelength);
-        });
+        let colour = wavelength.map(colour::linear_srgb).map(|linear| linear.map(colour::srgb_level));
+        with_swatch(ui, colour, &text, name, &tip);
     }
     ui.end_row();
 }
 
-/// The colour of a wavelength; a struck-out box where it has none.
-fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>) {
-    let (rect, _) = ui.allocate_exact_size(vec2(14.0, 12.0), Sense::hover());
-    let linear = wavelength_nm.map_or([0.0; 3], colour::linear_srgb);
-    let [r, g, b] = linear.map(colour::srgb_level);
-    let stroke = ui.visuals().widgets.noninteractive.bg_stroke;
-    let painter = ui.painter();
-    painter.rect(rect, 2.0, Color32::from_rgb(r, g, b), stroke, egui::StrokeKind::Inside);
-    if [r, g, b] == [0, 0, 0] {
-        let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
-        painter.line_segment([rect.left_bottom(), rect.right_top()], stroke);
+/// The colours that the eyes see of light of many wavelengths.
+fn colours(ui: &mut Ui, light: &PointLight) {
+    let tip = "The colour that the picture shows of this light, on a surface that faces it, at the present \
+        exposure: red, green and blue of sRGB, two hexadecimal digits each.";
+    ui.label(RichText::new("colour").weak()).on_hover_text(tip);
+    for eye in Eye::BOTH {
+        let colour = light.seen_by(eye);
+        let text = colour
+            .map_or_else(|| number_text::NONE.to_owned(), |[r, g, b]| format!("#{r:02X}{g:02X}{b:02X}"));
+        with_swatch(ui, colour, &text, format!("{}, Colour: {text}", eye.name()), tip);
     }
+    ui.end_row();
+}
+
+/// A reading, read out by its `name`, beside a box of its `colour`: a struck-out one where nothing is to be
+/// seen.
+fn with_swatch(ui: &mut Ui, colour: Option<[u8; 3]>, text: &str, name: String, tip: &str) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 5.0;
+        named_text(ui, text, name).on_hover_text(tip);
+        let (rect, _) = ui.allocate_exact_size(vec2(14.0, 12.0), Sense::hover());
+        let [r, g, b] = colour.unwrap_or_default();
+        let stroke = ui.visuals().widgets.noninteractive.bg_stroke;
+        let painter = ui.painter();
+        painter.rect(rect, 2.0, Color32::from_rgb(r, g, b), stroke, egui::StrokeKind::Inside);
+        if [r, g, b] == [0, 0, 0] {
+            let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
+            painter.line_segment([rect.left_bottom(), rect.right_top()], stroke);
+        }
+    });
 }
 
 /// The disparities, large: what the binocular observer measures.

@@ -56,7 +56,7 @@ impl SpectrumTrace {
 
     /// The name and how the light is received.
     fn words(&self, spectrum: &PointSpectrum) -> String {
-        let at = match spectrum.light {
+        let at = match spectrum.of.light {
             Light::Line(nm) => format!(", {}", in_words(&[received_wavelength(nm, self.doppler_factor)])),
             _ => String::new(),
         };
@@ -68,7 +68,7 @@ impl SpectrumTrace {
         }
         let factor = number_text::fixed(self.doppler_factor, 3);
         let brighter = number_text::significant(times_as_bright(self.doppler_factor), 3);
-        match spectrum.light {
+        match spectrum.of.light {
             Light::Line(_) => format!("{}: D = {factor}{at}", self.name),
             _ => format!("{}: D = {factor}, D⁵ = {brighter}", self.name),
         }
@@ -100,7 +100,7 @@ fn traces(spectrum: &PointSpectrum) -> Vec<SpectrumTrace> {
     }
     traces.extend(Eye::BOTH.into_iter().filter_map(|eye| {
         let factor =
-            spectrum.doppler_factors[eye.index()].filter(|factor| factor.is_finite() && *factor > 0.0)?;
+            spectrum.of.doppler_factors[eye.index()].filter(|factor| factor.is_finite() && *factor > 0.0)?;
         Some(SpectrumTrace {
             name: eye.name().to_owned(),
             doppler_factor: factor,
@@ -127,10 +127,10 @@ fn wavelengths() -> impl Iterator<Item = f64> {
 
 /// Shows the spectra of the selected point, their names with the colours that are seen, and the visible band.
 pub fn show(ui: &mut Ui, state: &State) {
-    let spectrum = state.spectrum(!ui.visuals().dark_mode);
+    let spectrum = PointSpectrum::new(state.point_light(!ui.visuals().dark_mode));
     let point = state.name_of(state.document.points.selected());
     let traces = traces(&spectrum);
-    if spectrum.light == Light::Map {
+    if spectrum.of.light == Light::Map {
         ui.label(
             "False colours show Doppler factors and no light: choose other colours to see its spectrum.",
         );
@@ -157,7 +157,7 @@ pub fn show(ui: &mut Ui, state: &State) {
 /// Names a trace, with a sample of its line and the colour that the picture shows.
 fn entry(ui: &mut Ui, trace: &SpectrumTrace, spectrum: &PointSpectrum) {
     let text = trace.words(spectrum);
-    let [r, g, b] = spectrum.colour(trace.leaves_for, trace.doppler_factor);
+    let [r, g, b] = spectrum.of.colour(trace.leaves_for, trace.doppler_factor);
     let (rect, response) = ui.allocate_exact_size(vec2(PATCH, PATCH), Sense::hover());
     ui.painter().rect_filled(rect, 2.0, Color32::from_rgb(r, g, b));
     let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
@@ -167,7 +167,7 @@ fn entry(ui: &mut Ui, trace: &SpectrumTrace, spectrum: &PointSpectrum) {
     let name = format!("Colour, {}: #{r:02X}{g:02X}{b:02X}", trace.name.to_lowercase());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Image, true, &name));
     response.on_hover_text(tip);
-    let tip = match (trace.eye, spectrum.light) {
+    let tip = match (trace.eye, spectrum.of.light) {
         (None, Light::Painted(_)) if trace.leaves_for.is_some() => {
             "The street's daylight as it falls on the surface, bluer from ahead and redder from behind, times \
                 the reflectance of the paint at each wavelength."
@@ -186,7 +186,7 @@ fn entry(ui: &mut Ui, trace: &SpectrumTrace, spectrum: &PointSpectrum) {
 
 fn draw(plot: &mut PlotUi<'_>, trace: &SpectrumTrace, spectrum: &PointSpectrum, visuals: &Visuals) {
     let (colour, width) = (trace.colour(visuals), if trace.eye.is_some() { 2.0 } else { 1.5 });
-    if let Light::Line(nm) = spectrum.light {
+    if let Light::Line(nm) = spectrum.of.light {
         let at = math::log10(received_wavelength(nm, trace.doppler_factor));
         let line = VLine::new(&trace.name, at).color(colour).width(width).style(style(trace.dash));
         plot.vline(line.allow_hover(false));
@@ -238,11 +238,11 @@ fn annotate(ui: &Ui, response: &PlotResponse<()>, name: &str) {
 /// The plot for a drawing, in the colours of a light window.
 pub fn panel(state: &State) -> Panel {
     let visuals = Visuals::light();
-    let spectrum = state.spectrum(true);
+    let spectrum = PointSpectrum::new(state.point_light(true));
     let traces = traces(&spectrum);
     let point = state.name_of(state.document.points.selected());
     let line = |trace: &SpectrumTrace| {
-        let points = match spectrum.light {
+        let points = match spectrum.of.light {
             Light::Line(nm) => {
                 let nm = received_wavelength(nm, trace.doppler_factor);
                 vec![[nm, 0.0], [nm, 1.0]]
@@ -269,10 +269,10 @@ pub fn panel(state: &State) -> Panel {
 /// The spectra as a table: radiances per wavelength as multiples of the greatest that is emitted at rest,
 /// with D⁵; of light of one wavelength, the wavelengths.
 pub fn csv(state: &State) -> String {
-    let spectrum = state.spectrum(true);
+    let spectrum = PointSpectrum::new(state.point_light(true));
     let traces = traces(&spectrum);
     let names = traces.iter().map(|trace| trace.name.to_lowercase());
-    if let Light::Line(nm) = spectrum.light {
+    if let Light::Line(nm) = spectrum.of.light {
         let head: Vec<String> = names.map(|name| format!("{name} / nm")).collect();
         let row: Vec<String> = traces
             .iter()

@@ -12,18 +12,53 @@ use crate::eye::Eye;
 const SEARCHED_NM: [f64; 2] = [10.0, 1e6];
 const SEARCHED: u32 = 4000;
 
-/// The light of a point, and its Doppler shift on the way to each eye.
-#[derive(Debug, Clone)]
-pub struct PointSpectrum {
+/// The light of a point as it leaves and arrives.
+#[derive(Debug, Clone, Copy)]
+pub struct PointLight {
     /// The point's light at rest.
     pub light: Light,
     /// Received over emitted frequency for each eye: 1 where the picture shows no shift, `None` where nothing
     /// is seen.
     pub doppler_factors: [Option<f64>; 2],
     appearance: Appearance,
+    /// How the point moves through the street's daylight, if that lights it, when its light leaves for each
+    /// eye.
+    facings: [Option<Facing>; 2],
+}
+
+impl PointLight {
+    /// Returns this `light`, received with these factors and shown with `appearance`.
+    #[must_use]
+    pub fn new(light: Light, doppler_factors: [Option<f64>; 2], appearance: Appearance) -> Self {
+        let shifted = |factor: f64| if appearance.doppler_shift { factor } else { 1.0 };
+        let doppler_factors = doppler_factors.map(|factor| factor.map(shifted));
+        Self { light, doppler_factors, appearance, facings: [None, None] }
+    }
+
+    /// Returns the colour that the picture shows of what leaves for `eye`, or would at rest, and is received
+    /// with this factor: sRGB, where it faces the light.
+    #[must_use]
+    pub fn colour(&self, eye: Option<Eye>, doppler_factor: f64) -> [u8; 3] {
+        let facing = eye.and_then(|eye| self.facings[eye.index()]);
+        let shown = self.light.shown_facing(&self.appearance, doppler_factor, facing, Paint::WHITE);
+        shown.colour.map(srgb_level)
+    }
+
+    /// Returns the colour that `eye` sees, sRGB; `None` where it sees nothing.
+    #[must_use]
+    pub fn seen_by(&self, eye: Eye) -> Option<[u8; 3]> {
+        Some(self.colour(Some(eye), self.doppler_factors[eye.index()]?))
+    }
+}
+
+/// The spectrum of a point's light.
+#[derive(Debug, Clone)]
+pub struct PointSpectrum {
+    /// That light.
+    pub of: PointLight,
     /// Greatest radiance of the light at rest; `None` of light without a spectrum.
     peak: Option<f64>,
-    /// The point in the street's daylight, if it moves through that, when its light leaves for each eye.
+    /// The street's daylight on the point, if it moves through that, when its light leaves for each eye.
     lit: [Option<Lit>; 2],
 }
 
@@ -37,31 +72,22 @@ struct Lit {
 }
 
 impl PointSpectrum {
-    /// Returns the spectrum of `light` that is received with these factors and shown with `appearance`.
+    /// The spectrum of this light.
     #[must_use]
-    pub fn new(light: Light, doppler_factors: [Option<f64>; 2], appearance: Appearance) -> Self {
-        let shifted = |factor: f64| if appearance.doppler_shift { factor } else { 1.0 };
-        let doppler_factors = doppler_factors.map(|factor| factor.map(shifted));
-        Self { light, doppler_factors, appearance, peak: peak(light, None), lit: [None, None] }
-    }
-
-    /// Returns the same of a point that moves so through the street's daylight when its light leaves for each
-    /// eye.
-    #[must_use]
-    pub fn lit(self, facings: [Option<Facing>; 2]) -> Self {
+    pub fn new(of: PointLight) -> Self {
         let lit = |facing: Facing| {
             let daylight = facing.daylight();
-            Lit { facing, peak: peak(self.light, Some(&daylight)), daylight }
+            Lit { facing, peak: peak(of.light, Some(&daylight)), daylight }
         };
-        let left = facings[0].map(lit);
-        let right = if facings[1] == facings[0] { left.clone() } else { facings[1].map(lit) };
-        Self { lit: [left, right], ..self }
+        let left = of.facings[0].map(lit);
+        let right = if of.facings[1] == of.facings[0] { left.clone() } else { of.facings[1].map(lit) };
+        Self { of, peak: peak(of.light, None), lit: [left, right] }
     }
 
     /// The eyes for which light leaves that differs: none of a point that is lit as at rest.
     #[must_use]
     pub fn eyes_apart(&self) -> &'static [Eye] {
-        match self.lit.each_ref().map(|lit| lit.as_ref().map(|lit| lit.facing)) {
+        match self.of.facings {
             [None, None] => &[],
             [left, right] if left == right => &Eye::BOTH[..1],
             _ => &Eye::BOTH,
@@ -96,15 +122,7 @@ impl PointSpectrum {
 
     /// The radiance that is sent to `eye`, or would be at rest.
     fn sent(&self, eye: Option<Eye>, nm: f64) -> Option<f64> {
-        self.light.radiance(nm, self.lit_for(eye).map(|lit| &lit.daylight))
-    }
-
-    /// Returns the colour that the picture shows of it, sRGB, where it faces the light.
-    #[must_use]
-    pub fn colour(&self, eye: Option<Eye>, doppler_factor: f64) -> [u8; 3] {
-        let facing = self.lit_for(eye).map(|lit| lit.facing);
-        let shown = self.light.shown_facing(&self.appearance, doppler_factor, facing, Paint::WHITE);
-        shown.colour.map(srgb_level)
+        self.of.light.radiance(nm, self.lit_for(eye).map(|lit| &lit.daylight))
     }
 }
 
@@ -123,9 +141,9 @@ pub fn times_as_bright(doppler_factor: f64) -> f64 {
 }
 
 impl State {
-    /// Returns the spectrum of the selected point now, as a picture in a light or a dark window shows it.
+    /// Returns the light of the selected point now, as a picture in a light or a dark window shows it.
     #[must_use]
-    pub fn spectrum(&self, light_window: bool) -> PointSpectrum {
+    pub fn point_light(&self, light_window: bool) -> PointLight {
         let appearance = self.appearance(light_window);
         let Document { points, prepared, scene, .. } = &self.document;
         let point = points.selected();
@@ -136,7 +154,7 @@ impl State {
         };
         let is_lit = matches!(light, Light::Painted(_));
         let facings = if is_lit { Eye::BOTH.map(facing) } else { [None, None] };
-        PointSpectrum::new(light, self.moment().doppler_factors(), appearance).lit(facings)
+        PointLight { facings, ..PointLight::new(light, self.moment().doppler_factors(), appearance) }
     }
 }
 
@@ -150,7 +168,7 @@ mod tests {
     fn spectrum(emission: Emission) -> PointSpectrum {
         let appearance = Appearance::default();
         let appearance = Appearance { colour: relativity_render::Colour::White, ..appearance };
-        PointSpectrum::new(Light::new(emission, &appearance), [Some(1.0); 2], appearance)
+        PointSpectrum::new(PointLight::new(Light::new(emission, &appearance), [Some(1.0); 2], appearance))
     }
 
     fn spectra() -> impl Iterator<Item = PointSpectrum> {
@@ -209,7 +227,7 @@ mod tests {
     fn light_of_one_wavelength_has_no_spectrum() {
         let appearance = Appearance::default();
         let light = Light::new(Emission::Wavelength(550.0), &appearance);
-        let spectrum = PointSpectrum::new(light, [Some(2.0), None], appearance);
+        let spectrum = PointSpectrum::new(PointLight::new(light, [Some(2.0), None], appearance));
         assert_eq!(light, Light::Line(550.0));
         assert_eq!(
             (spectrum.received(None, 2.0, 275.0), spectrum.of_own_peak(None, 1.0, 550.0)),
