@@ -8,6 +8,7 @@
 //! uniformity*, IS&T/SID Sixth Color Imaging Conference, 8-13 (1998).
 
 use std::f64::consts::TAU;
+use std::sync::LazyLock;
 
 use relativity_core::math::{atan2, powf};
 
@@ -48,16 +49,16 @@ pub fn in_gamut(xyz: [f64; 3]) -> [f64; 3] {
 /// The purest linear sRGB colour of this `hue` that is shown: its largest component is 1, its least at most
 /// 0.04. From hue to hue it changes without a corner.
 pub fn purest_srgb(hue: f64) -> [f64; 3] {
-    let beyond = |colour: [f64; 3], start: [f64; 3]| (srgb_hue(colour) - srgb_hue(start)).rem_euclid(TAU);
-    let turn = |start: [f64; 3]| (hue - srgb_hue(start)).rem_euclid(TAU);
     // No primary's part of the circle spans half a turn.
-    let start = |primary: usize| about(primary, -1.0);
-    let primary = (0..3).min_by(|&a, &b| turn(start(a)).total_cmp(&turn(start(b)))).unwrap_or_default();
-    let sought = turn(start(primary));
+    static STARTS: LazyLock<[f64; 3]> =
+        LazyLock::new(|| [0, 1, 2].map(|primary| srgb_hue(about(primary, -1.0))));
+    let turn = |hue: f64, primary: usize| (hue - STARTS[primary]).rem_euclid(TAU);
+    let primary = (0..3).min_by(|&a, &b| turn(hue, a).total_cmp(&turn(hue, b))).unwrap_or_default();
+    let sought = turn(hue, primary);
     let mut span = [-1.0, 1.0];
     for _ in 0..HALVINGS {
         let middle = 0.5 * (span[0] + span[1]);
-        let is_before = beyond(about(primary, middle), start(primary)) < sought;
+        let is_before = turn(srgb_hue(about(primary, middle)), primary) < sought;
         span[usize::from(!is_before)] = middle;
     }
     about(primary, span[0])

@@ -205,7 +205,7 @@ impl Canvas {
     ) -> Vec<wgpu::BindGroup> {
         let size = [sky::WIDTH, sky::SPEEDS * sky::TURNS].map(|side| side as u32);
         let sky = match colour {
-            Colour::StreetDaylight => self.sky.get_or_init(|| numbers(gpu, size, sky::table())),
+            Colour::StreetDaylight => self.sky.get_or_init(|| numbers(gpu, size, &sky::table())),
             // No other reads it.
             _ => &self.tables,
         };

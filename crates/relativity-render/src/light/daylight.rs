@@ -113,8 +113,11 @@ impl Facing {
         }
         let offs =
             || (0..SHARE_SAMPLES).map(|sample| (f64::from(sample) + 0.5) / f64::from(SHARE_SAMPLES) - 0.5);
-        for (place, share) in shares.iter_mut().enumerate() {
-            *share = offs().map(|off| self.share(first + (place as f64 + off) / per_octave)).sum();
+        // No light is shifted by more than that from straight ahead.
+        let farthest = self.head_on_octaves() + 1.0 / per_octave;
+        let is_reached = |place: &usize| (first + *place as f64 / per_octave).abs() <= farthest;
+        for place in (0..count).filter(is_reached) {
+            shares[place] = offs().map(|off| self.share(first + (place as f64 + off) / per_octave)).sum();
         }
         let sum: f64 = shares.iter().sum();
         for share in &mut shares {

@@ -14,9 +14,10 @@
 //! exposed to a middle grey.
 
 use std::array::from_fn;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 use relativity_core::math::{exp2, log2};
+use relativity_core::threads::prelude::*;
 
 use super::daylight::Facing;
 use crate::colour::sunlit::{self, FIRST_OCTAVE};
@@ -43,10 +44,12 @@ const SAMPLES: u32 = 4;
 /// Numbers of a cell of light: three components for each of three paints, and the level of white.
 const NUMBERS: usize = 10;
 
-static TABLE: LazyLock<Vec<[f32; 4]>> = LazyLock::new(|| {
-    let cells: Vec<_> = (0..ENTRIES + 2 * REACH).map(cell).collect();
-    (0..SPEEDS * TURNS).flat_map(|slice| entries(&cells, slice)).collect()
-});
+/// Daylight, as it is mixed into all entries.
+static CELLS: LazyLock<Vec<[f32; NUMBERS]>> =
+    LazyLock::new(|| (0..ENTRIES + 2 * REACH).map(cell).collect());
+/// The entries of each speed, from when they are first needed: most scenes have few speeds, and each takes a
+/// fiftieth of a second.
+static OF_SPEEDS: [OnceLock<Vec<[f32; 4]>>; SPEEDS] = [const { OnceLock::new() }; SPEEDS];
 
 /// Light that smooth paint reflects.
 #[derive(Debug, Clone, Copy)]
@@ -57,9 +60,15 @@ pub struct Reflected {
     pub log2_level: f64,
 }
 
-/// Returns the entries for the shaders: linear sRGB over the level of white paint, and log2 of that.
-pub fn table() -> &'static [[f32; 4]] {
-    &TABLE
+/// Returns the entries of the speed with this number, a row of [`WIDTH`] for each turn: linear sRGB over the
+/// level of white paint, and log2 of that.
+pub fn at_speed(speed: usize) -> &'static [[f32; 4]] {
+    OF_SPEEDS[speed].get_or_init(|| (0..TURNS).flat_map(|turn| entries(&CELLS, speed, turn)).collect())
+}
+
+/// Returns the entries of all speeds, for the shaders.
+pub fn table() -> Vec<[f32; 4]> {
+    (0..SPEEDS).into_par_iter().flat_map_iter(|speed| at_speed(speed).iter().copied()).collect()
 }
 
 /// Returns the constants of the shaders.
@@ -90,9 +99,10 @@ pub fn reflected(facing: Facing, shift: f64) -> Reflected {
     let mut found = [[0.0; 4]; 3];
     for (speed, of_speed) in speed {
         for (turn, of_turn) in turn {
+            let row = &at_speed(speed)[turn * WIDTH..][..WIDTH];
             for (place, of_place) in place {
                 for (primary, found) in found.iter_mut().enumerate() {
-                    let entry = TABLE[(speed * TURNS + turn) * WIDTH + primary * ENTRIES + place];
+                    let entry = row[primary * ENTRIES + place];
                     let share = of_speed * of_turn * of_place;
                     *found = from_fn(|part| found[part] + share * f64::from(entry[part]));
                 }
@@ -123,9 +133,8 @@ fn cell(number: usize) -> [f32; NUMBERS] {
 }
 
 /// The entries of a speed and turn: the sums of the light, by how much of it is received from where.
-fn entries(cells: &[[f32; NUMBERS]], slice: usize) -> Vec<[f32; 4]> {
-    let head_on_octaves = (slice / TURNS) as f64 / SPEEDS_PER_OCTAVE;
-    let facing = Facing::of(head_on_octaves, (slice % TURNS) as f64 / (TURNS - 1) as f64);
+fn entries(cells: &[[f32; NUMBERS]], speed: usize, turn: usize) -> Vec<[f32; 4]> {
+    let facing = Facing::of(speed as f64 / SPEEDS_PER_OCTAVE, turn as f64 / (TURNS - 1) as f64);
     let mut sums = vec![[0.0_f32; NUMBERS]; ENTRIES];
     // From `REACH` entries below the mean to as many above.
     let first = facing.mean_octaves() - REACH as f64 / PER_OCTAVE;
@@ -136,12 +145,15 @@ fn entries(cells: &[[f32; NUMBERS]], slice: usize) -> Vec<[f32; 4]> {
             *sum += share * light;
         }
     }
-    let entry = |sum: &[f32; NUMBERS], primary: usize| {
-        let level = sum[NUMBERS - 1].max(f32::MIN_POSITIVE);
-        let [red, green, blue] = from_fn(|part| sum[3 * primary + part] / level);
-        [red, green, blue, log2(f64::from(level)) as f32]
+    let level = |sum: &[f32; NUMBERS]| sum[NUMBERS - 1].max(f32::MIN_POSITIVE);
+    let log2_levels: Vec<_> = sums.iter().map(|sum| log2(f64::from(level(sum))) as f32).collect();
+    let entry = |primary: usize, number: usize| {
+        let sum = &sums[number];
+        let [red, green, blue] = from_fn(|part| sum[3 * primary + part] / level(sum));
+        [red, green, blue, log2_levels[number]]
     };
-    (0..3).flat_map(|primary| sums.iter().map(move |sum| entry(sum, primary))).collect()
+    let places = (0..3).flat_map(|primary| (0..ENTRIES).map(move |number| (primary, number)));
+    places.map(|(primary, number)| entry(primary, number)).collect()
 }
 
 #[cfg(test)]

@@ -71,13 +71,17 @@ impl<S: Simd> Facings<S> {
         let (turn, inside): ([f32; LANES], [f32; LANES]) =
             (turn.into(), clamp(place, zero, all(simd, last)).into());
         let [red, green, blue]: [[f32; LANES]; 3] = [shares.x.into(), shares.y.into(), shares.z.into()];
-        let (table, mut parts) = (sky::table(), [[0.0; LANES]; 4]);
+        let mut parts = [[0.0; LANES]; 4];
+        let below = |lane: usize| (speed[lane] as usize).min(sky::SPEEDS - 2);
+        let tables_at = |speed: usize| [speed, speed + 1].map(sky::at_speed);
+        // Nearly always all lanes see one body, and have one speed.
+        let (mut known, mut tables) = (below(0), tables_at(below(0)));
         for lane in 0..LANES {
-            let found = in_table(
-                table,
-                [speed[lane], turn[lane], inside[lane]],
-                [red[lane], green[lane], blue[lane]],
-            );
+            if below(lane) != known {
+                (known, tables) = (below(lane), tables_at(below(lane)));
+            }
+            let at = [speed[lane] - known as f32, turn[lane], inside[lane]];
+            let found = in_table(tables, at, [red[lane], green[lane], blue[lane]]);
             for part in 0..4 {
                 parts[part][lane] = found[part];
             }
@@ -87,19 +91,19 @@ impl<S: Simd> Facings<S> {
     }
 }
 
-/// The entry of the `table` of the sky between those at this speed, turn and place, of paint with these
-/// shares.
+/// The entry of the table of the sky at this turn and place, so far between two speeds, of which these are the
+/// `tables`, and of paint with these shares.
 #[inline(always)]
-fn in_table(table: &[[f32; 4]], at: [f32; 3], shares: [f32; 3]) -> [f32; 4] {
+fn in_table(tables: [&[[f32; 4]]; 2], at: [f32; 3], shares: [f32; 3]) -> [f32; 4] {
     let below = |of: usize, count: usize| (at[of] as usize).min(count - 2);
-    let [speed, turn, place] = [below(0, sky::SPEEDS), below(1, sky::TURNS), below(2, sky::ENTRIES)];
-    let past = [at[0] - speed as f32, at[1] - turn as f32, at[2] - place as f32];
+    let [turn, place] = [below(1, sky::TURNS), below(2, sky::ENTRIES)];
+    let past = [at[0], at[1] - turn as f32, at[2] - place as f32];
     let mut found = [0.0; 4];
     for corner in 0..4 {
         let [faster, ahead] = [corner / 2, corner % 2];
         let weight = |of: usize, past_it: usize| if past_it == 1 { past[of] } else { 1.0 - past[of] };
         let weight = weight(0, faster) * weight(1, ahead);
-        let row = &table[((speed + faster) * sky::TURNS + turn + ahead) * sky::WIDTH..][..sky::WIDTH];
+        let row = &tables[faster][(turn + ahead) * sky::WIDTH..][..sky::WIDTH];
         for (primary, share) in shares.into_iter().enumerate() {
             let [low, high] = [row[primary * sky::ENTRIES + place], row[primary * sky::ENTRIES + place + 1]];
             for part in 0..3 {
