@@ -54,6 +54,7 @@ mod start_page;
 mod stereo;
 mod stereoscope;
 mod support;
+mod targets;
 mod time;
 mod times;
 mod two_keys;
@@ -113,6 +114,7 @@ fn main() -> ExitCode {
         stereoscope::TESTS,
         time::TESTS,
         times::TESTS,
+        targets::TESTS,
         two_keys::TESTS,
         way_back::TESTS,
         wheels::TESTS,

@@ -445,7 +445,7 @@ test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6
     assert.match((await window.download()).bytes.toString(), /scene = "mine.toml"/);
 }));
 
-test('a page that has lost own data says so, and asks for them', () => inWindow('#scene=globe&beta=0.5&plot=fit&refine=off', async window => {
+test('own data are there after a reload, and a page that has lost them says so and asks for them', () => inWindow('#scene=globe&beta=0.5&plot=fit&refine=off', async window => {
     const line = (_, i) => `${i / 10 - 3},0.2,${0.03 + 1e-3 * i},${0.02 + 1e-4 * i * i}`;
     await window.drop('my data.csv', ['T,d,dphi,dtheta', ...Array.from({ length: 60 }, line)].join('\n'));
     const isNamed = async () => (await window.settings()).get('data') === 'my data.csv';
@@ -455,7 +455,24 @@ test('a page that has lost own data says so, and asks for them', () => inWindow(
     assert.ok(!await says('is not here'));
     await window.page.reload();
     await window.shown();
+    await eventually('the table that was kept', () => says('my data.csv is fitted as this browser has kept it'));
+    assert.ok(await isNamed());
+    await window.page.evaluate(() => localStorage.clear());
+    await window.page.reload();
+    await window.shown();
     await eventually('what is missing', () => says('my data.csv is not here'));
+}));
+
+test('an own scene is there after a reload', () => inWindow('#beta=0.6&refine=off', async window => {
+    await window.press('Escape');
+    await window.drop('mine.toml', 'name = "Mine"\n[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n');
+    const isNamed = async () => (await window.settings()).get('scene') === 'mine.toml';
+    await eventually('the scene in the address', isNamed);
+    await window.page.reload();
+    await window.shown();
+    await window.rest(1500);
+    assert.ok(await isNamed());
+    assert.equal(await window.problem(), '');
 }));
 
 // The text that a PNG keeps under this name.

@@ -1,10 +1,13 @@
-//! Files of a page: those that the user gave it are in memory, those in [`KEPT`] are texts that the browser
-//! keeps, and all others that are written are downloads.
+//! Files of a page: those that the user gave it are in memory, and kept by the browser as far as it has room,
+//! those in [`KEPT`] are texts that the browser keeps, and all others that are written are downloads.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 
 use crate::web::{download, instances, storage};
 
@@ -19,9 +22,47 @@ thread_local!(static GIVEN: RefCell<BTreeMap<PathBuf, Vec<u8>>> = const { RefCel
 /// A file that is read.
 pub type Regular = Cursor<Vec<u8>>;
 
-/// Takes in a file that the user gave the page: from now on there is one at `path`.
+/// What the names of given files begin with in the browser's storage.
+const OWN: &str = "own/";
+/// Letters that these may have together there: of the five million for which browsers have room.
+const MOST_OWN: usize = 3_000_000;
+
+/// Takes in a file that the user gave the page: from now on there is one at `path`, on the next visit too if
+/// the browser has room for it.
 pub fn take_in(path: &Path, bytes: Vec<u8>) {
+    keep(path, &bytes);
     GIVEN.with_borrow_mut(|given| given.insert(path.to_owned(), bytes));
+}
+
+/// Has the browser keep a given file. Those that were kept before make room for it.
+fn keep(path: &Path, bytes: &[u8]) {
+    let (name, text) = (own_name(path), STANDARD.encode(bytes));
+    storage::remove(&name);
+    let others: Vec<String> = storage::names().into_iter().filter(|name| name.starts_with(OWN)).collect();
+    let taken: usize = others.iter().filter_map(|name| storage::read(name)).map(|text| text.len()).sum();
+    if text.len() > MOST_OWN {
+        return;
+    }
+    if taken + text.len() > MOST_OWN {
+        others.iter().for_each(|name| storage::remove(name));
+    }
+    // A browser that keeps nothing is no reason not to show a file.
+    let _ = storage::write(&name, &text);
+}
+
+fn own_name(path: &Path) -> String {
+    format!("{OWN}{}", path.display())
+}
+
+/// The bytes of a file that the user gave the page, on this visit or an earlier one.
+fn given_bytes(path: &Path) -> Option<Vec<u8>> {
+    GIVEN.with_borrow_mut(|given| {
+        if !given.contains_key(path) {
+            let bytes = STANDARD.decode(storage::read(&own_name(path))?).ok()?;
+            given.insert(path.to_owned(), bytes);
+        }
+        given.get(path).cloned()
+    })
 }
 
 /// Files in a message to another instance of the program: where each was, and its bytes.
@@ -29,13 +70,16 @@ pub type Sent = Vec<(PathBuf, Vec<u8>)>;
 
 /// Returns the files that the user gave the page, for another instance.
 pub fn given() -> Sent {
+    for path in storage::names().iter().filter_map(|name| name.strip_prefix(OWN)) {
+        let _ = given_bytes(Path::new(path));
+    }
     GIVEN.with_borrow(|given| given.iter().map(|(path, bytes)| (path.clone(), bytes.clone())).collect())
 }
 
 /// Takes in the files that the user gave the page; the page itself has them.
 pub fn take_in_all(files: Sent) {
     if instances::own_kind().is_some() {
-        files.into_iter().for_each(|(path, bytes)| take_in(&path, bytes));
+        GIVEN.with_borrow_mut(|given| given.extend(files));
     }
 }
 
@@ -85,7 +129,7 @@ fn media_type(path: &Path) -> &'static str {
 fn contents(path: &Path) -> Option<Vec<u8>> {
     match kept_name(path) {
         Some(name) => storage::read(name).map(String::into_bytes),
-        None => GIVEN.with_borrow(|given| given.get(path).cloned()),
+        None => given_bytes(path),
     }
 }
 

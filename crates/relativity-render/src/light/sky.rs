@@ -45,8 +45,7 @@ const SAMPLES: u32 = 4;
 const NUMBERS: usize = 10;
 
 /// Daylight, as it is mixed into all entries.
-static CELLS: LazyLock<Vec<[f32; NUMBERS]>> =
-    LazyLock::new(|| (0..ENTRIES + 2 * REACH).map(cell).collect());
+static CELLS: LazyLock<Vec<[f32; NUMBERS]>> = LazyLock::new(|| (0..ENTRIES + 2 * REACH).map(cell).collect());
 /// The entries of each speed, from when they are first needed: most scenes have few speeds, and each takes a
 /// fiftieth of a second.
 static OF_SPEEDS: [OnceLock<Vec<[f32; 4]>>; SPEEDS] = [const { OnceLock::new() }; SPEEDS];

@@ -1,7 +1,8 @@
 //! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`,
-//! `#stereoscope`, `#start`; with `data=NAME` for a table of one's own, which the page has to be given again.
+//! `#stereoscope`, `#start`; with `data=NAME` for a table of one's own.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use gamow_platform::messages;
 use percent_encoding::{NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
@@ -9,6 +10,7 @@ use percent_encoding::{NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
+use crate::estimate::data_file::DataFile;
 use crate::settings::{Settings, link_of_pairs};
 
 /// The fragment of an address.
@@ -88,17 +90,24 @@ impl Fragment {
         *self == Self::default()
     }
 
-    /// Returns the message that the page does not have the data that it names, unless `state` has them.
-    pub fn missing_data(&self, state: &State) -> Option<Notice> {
+    /// Has `state` fit the table that the address names, if the browser has kept one of that name. Returns the
+    /// message that it is so, or that the page does not have it; none where `state` fits it already.
+    pub fn find_data(&self, state: &mut State) -> Option<Notice> {
         let name = self.data.as_ref()?;
-        let is_there = state.session.data.as_ref().is_some_and(|file| file.name == *name);
-        (!is_there).then(|| {
-            Notice::error(format!(
-                "{} is not here: the page was loaded again, or comes from a link. Until you open your data again (File, Fit own \
-                data), simulated ones are fitted.",
-                messages::excerpt(name)
-            ))
-        })
+        if state.session.data.as_ref().is_some_and(|file| file.name == *name) {
+            return None;
+        }
+        let shown = messages::excerpt(name);
+        match DataFile::open(Path::new(name), state.document.settings.baseline()) {
+            Ok(file) => {
+                state.session.data = Some(Arc::new(file));
+                Some(Notice::done(format!("{shown} is fitted as this browser has kept it.")))
+            }
+            Err(_) => Some(Notice::error(format!(
+                "{shown} is not here: the page comes from a link, or its browser has not kept the table. Until you open your \
+                data again (File, Fit own data), simulated ones are fitted."
+            ))),
+        }
     }
 
     /// Returns the link that its settings make, if it has any.

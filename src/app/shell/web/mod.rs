@@ -149,7 +149,8 @@ fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
     if fragment.start {
         state.session.overlay = Some(Overlay::Start);
     }
-    let problem = problem.map(Notice::error).or(notice).or_else(|| fragment.missing_data(&state));
+    let data = fragment.find_data(&mut state);
+    let problem = problem.map(Notice::error).or(notice).or(data);
     state.scratch.notice = problem.or(state.scratch.notice);
     Ok(state)
 }

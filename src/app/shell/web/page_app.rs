@@ -102,8 +102,8 @@ impl PageApp {
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
             self.app.run(WindowCommand::ToggleStereoscope);
         }
-        if let Some(missing) = fragment.missing_data(self.app.state()) {
-            self.app.state.tell(missing);
+        if let Some(notice) = fragment.find_data(&mut self.app.state) {
+            self.app.state.tell(notice);
         }
         self.address.opened = Opened::from_state(self.app.state());
         self.address.fragment = Some(fragment.clone());
