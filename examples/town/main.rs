@@ -43,6 +43,7 @@ metres = 0.65
 ground_z = -2.5
 street = [2.0, 9.0, 10000.0]      # near kerb, far kerb; house fronts stand at y = 13, and none are painted
 sunlit = true
+tracked = [-18.49, 8.88, 3.6]     # leaves of a tree, on the side of the street
 
 [[group]]
 name = "street"
