@@ -1,5 +1,6 @@
 //! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`,
-//! `#stereoscope`, `#start`; with `data=NAME` for a table of one's own, which the page has to be given again.
+//! `#stereoscope`, `#start`, `#answers=TOKEN`; with `data=NAME` for a table of one's own, which the page has
+//! to be given again.
 
 use std::path::PathBuf;
 
@@ -9,6 +10,7 @@ use percent_encoding::{NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
+use crate::lesson::class::KEY;
 use crate::settings::{Settings, link_of_pairs};
 
 /// The fragment of an address.
@@ -22,6 +24,8 @@ pub struct Fragment {
     pub stereoscope: bool,
     /// Whether the start page lies over the window.
     pub start: bool,
+    /// The token of a pupil's answers.
+    pub answers: Option<String>,
     /// The name of the table with own data that is fitted. The address cannot carry the table itself.
     pub data: Option<String>,
     /// The settings that differ from the defaults, as in a link.
@@ -36,6 +40,7 @@ impl Fragment {
         for part in text.split('&').filter(|part| !part.is_empty()) {
             match part.split_once('=') {
                 Some(("lesson", name)) => fragment.lesson = Some(name.to_owned()),
+                Some((KEY, token)) => fragment.answers = Some(token.to_owned()),
                 Some(("data", name)) => {
                     fragment.data = Some(percent_decode_str(name).decode_utf8_lossy().into_owned())
                 }
@@ -64,6 +69,7 @@ impl Fragment {
             presents: stage.is_presented(),
             stereoscope: stage.stereoscope,
             start,
+            answers: followed_answers(state).map(str::to_owned),
             data,
             pairs,
         })
@@ -78,8 +84,15 @@ impl Fragment {
         let data =
             self.data.as_ref().map(|name| format!("data={}", utf8_percent_encode(name, NON_ALPHANUMERIC)));
         let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
-        let parts =
-            lesson.into_iter().chain(presents).chain(stereoscope).chain(start).chain(data).chain(pairs);
+        let answers = self.answers.as_ref().map(|token| format!("{KEY}={token}"));
+        let parts = lesson
+            .into_iter()
+            .chain(presents)
+            .chain(stereoscope)
+            .chain(start)
+            .chain(answers)
+            .chain(data)
+            .chain(pairs);
         parts.collect::<Vec<_>>().join("&")
     }
 
@@ -121,6 +134,11 @@ impl Fragment {
             Err(error) => (left, Some(error.to_string())),
         }
     }
+}
+
+/// Returns the token of the answers that a link has led to, while they are shown.
+pub fn followed_answers(state: &State) -> Option<&str> {
+    state.session.class.followed.as_deref().filter(|_| state.session.overlay == Some(Overlay::Class))
 }
 
 /// Whether the start page, or one of those behind it, lies over the window.
