@@ -26,11 +26,11 @@ fn the_column_of_a_table_and_standard_input_make_a_page() {
     let lesson = Library::own().open("rods").expect("it is one of the program's own");
     let folder = tempfile::tempdir().expect("a folder");
     let [table, page] = ["answers.csv", "class.html"].map(|name| folder.path().join(name));
-    let rows: String = (0..12)
-        .map(|number| {
-            format!("12:0{number},\"P{number}\",\"{}\",yes\r\n", link(&lesson, &format!("P{number}"), 0))
-        })
-        .collect();
+    let row = |number| {
+        let name = format!("P{number}");
+        format!("12:0{number},\"{name}\",\"{}\",yes\r\n", link(&lesson, &name, 0))
+    };
+    let rows = (0..12).map(row).collect::<Vec<_>>().concat();
     std::fs::write(&table, format!("time,name,link,done\r\n{rows}x,y,answers=AAAA,no\r\n"))
         .expect("it is written");
     let mut command = gamow();

@@ -56,7 +56,7 @@ fn nothing(lessons: &[&Lesson], collected: &Collected) -> String {
     }
     let others = others(lessons, collected);
     if others.is_empty() {
-        format!("{what}: links with answers contain {}=", KEY)
+        format!("{what}: links with answers contain {KEY}=")
     } else {
         format!("{what}. {others}")
     }

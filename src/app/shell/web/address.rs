@@ -125,6 +125,11 @@ impl Fragment {
         self.lesson.is_none().then(|| PathBuf::from(link_of_pairs(&self.pairs)))
     }
 
+    /// Returns the link with a pupil's answers, if it has some.
+    pub fn link_with_answers(&self) -> Option<PathBuf> {
+        self.answers.as_ref().map(|token| PathBuf::from(link_of_pairs(&format!("{KEY}={token}"))))
+    }
+
     /// Returns the settings that it leads to, and a message if there is something wrong with it. What it does
     /// not name is as it was `left`, or for what is shown the default.
     pub fn settings(&self, left: Settings) -> (Settings, Option<String>) {

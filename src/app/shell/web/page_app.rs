@@ -102,8 +102,8 @@ impl PageApp {
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
             self.app.run(WindowCommand::ToggleStereoscope);
         }
-        if let Some(token) = &fragment.answers {
-            self.app.state.follow_answers(token);
+        if let Some(link) = fragment.link_with_answers() {
+            self.app.run(FileCommand::Open(link));
         }
         if let Some(missing) = fragment.missing_data(self.app.state()) {
             self.app.state.tell(missing);
