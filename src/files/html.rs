@@ -68,6 +68,21 @@ code { font-size: 9.5pt; overflow-wrap: anywhere; }
 .sheet .name { float: right; }
 .sheet figure.beside { float: right; width: 70mm; margin: 0 0 2mm 4mm; }
 .sheet figure.plot > svg { max-height: 55mm; }
+.class .next { break-before: page; margin-top: 2em; }
+.class h3 { float: none; }
+.class .question { margin: 0.6em 0; }
+.class figure.plot > svg { max-height: 75mm; }
+.class .key { font-size: 9pt; color: #444; }
+.class table.distribution { width: 100%; }
+.class .distribution td { border: none; padding: 0.1em 0.4em; vertical-align: middle; }
+.class .distribution td:nth-child(2) { width: 100%; }
+.class .distribution p { margin: 0; }
+.class .distribution svg { display: block; }
+.class .count { text-align: right; }
+.class table.pupils { break-inside: auto; }
+.class .pupils tr { break-inside: avoid; }
+.class .pupils td + td, .class .pupils th + th { text-align: center; }
+.class .pupils td, .class .pupils th { padding: 0.1em 0.6em; }
 "
             }
         }

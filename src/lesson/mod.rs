@@ -7,6 +7,7 @@
 mod answer;
 mod answers;
 pub mod card;
+pub mod class;
 mod course;
 mod curve_plot;
 mod error;

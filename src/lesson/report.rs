@@ -1,6 +1,7 @@
 //! The report of a lesson, as a page to keep or to print.
 
 use super::answer::{Answer, Outcome, Record};
+use super::class::{KEY, PupilAnswers, QrCode};
 use super::course::Course;
 use super::plan::{AnswerKind, Choices, CurveAnswer, Prediction, Step};
 use super::truth::Sight;
@@ -9,14 +10,17 @@ use super::{curve_plot, picture, sketch};
 use crate::files::html::{HtmlPage, PageStyle, escaped};
 use crate::formula::markdown::Markdown;
 use crate::plot::{BLACK, BLUE, Dash, Line, LineStroke};
-use crate::settings::Settings;
+use crate::settings::{Settings, link_of_pairs};
+
+/// Side of a module of the code, millimetres.
+const MODULE: f64 = 0.6;
 
 /// Returns the report of `course`, whose states are shown on top of `base`; with a `fit` that was made,
-/// as a table.
+/// as a table. It ends with the answers as a link and a code, by the pupil called `name`, which may be empty.
 ///
 /// # Errors
 /// A state of the lesson that cannot be had, those of the renderer, and a text that cannot be drawn.
-pub fn page(course: &Course, base: &Settings, fit: Option<&str>) -> anyhow::Result<String> {
+pub fn page(course: &Course, base: &Settings, fit: Option<&str>, name: &str) -> anyhow::Result<String> {
     let lesson = course.lesson();
     let mut page = HtmlPage::new(&lesson.title, PageStyle::Print);
     page.html(&format!("<h1>{}</h1>\n", escaped(&lesson.title)));
@@ -38,7 +42,23 @@ pub fn page(course: &Course, base: &Settings, fit: Option<&str>) -> anyhow::Resu
     if let Some(fit) = fit {
         page.html(&format!("<h2>Fit</h2>\n<pre>{}</pre>\n", escaped(fit)));
     }
+    handed_in(&mut page, course, name);
     Ok(page.finish())
+}
+
+/// Adds the answers for the class's page, if there are any. The link has no address of a page: who reads the
+/// report knows where the program is.
+fn handed_in(page: &mut HtmlPage, course: &Course, name: &str) {
+    let answers = PupilAnswers::new(course.lesson(), course.records(), name);
+    if course.lesson().is_a_preset() || !answers.has_any() {
+        return;
+    }
+    let link = link_of_pairs(&format!("{KEY}={}", answers.token()));
+    let code = QrCode::new(&link).map(|code| code.svg("QR code of the link", MODULE)).unwrap_or_default();
+    page.html(&format!(
+        "<div class=\"question\">\n<h2>Hand in</h2>\n<p>These answers as a link, for the class\u{2019}s page:</p>\n\
+         <p><code>{link}</code></p>\n<figure>\n{code}</figure>\n</div>\n"
+    ));
 }
 
 /// A step that was done, whose state after the reveal is that of `settings`.

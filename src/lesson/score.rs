@@ -77,7 +77,7 @@ impl Course {
 }
 
 /// Calls `get` with what is shown of `settings`; `None` where they cannot be shown.
-fn with_sight<T>(settings: &Settings, get: impl FnOnce(&Sight<'_>) -> Option<T>) -> Option<T> {
+pub(super) fn with_sight<T>(settings: &Settings, get: impl FnOnce(&Sight<'_>) -> Option<T>) -> Option<T> {
     let scene = settings.opened_scene().ok()?;
     let (track, prepared) = (settings.track(&scene), scene.prepared());
     let time = settings.time.unwrap_or_else(|| settings.time_of_approach(&track));

@@ -116,10 +116,12 @@ impl<'a> PanelAxes<'a> {
         let is_clipped = self.panel.ranges.iter().any(Option::is_some);
         if is_clipped {
             let (width, height) = (right - left, bottom - top);
+            // On a page with several plots, the same name is that of the same box.
+            let id = format!("frame{left:.0}-{top:.0}-{width:.0}-{height:.0}");
             let _ = writeln!(
                 svg,
-                "<clipPath id=\"frame{left}-{top}\"><rect x=\"{left}\" y=\"{top}\" width=\"{width:.1}\" height=\"{height:.1}\"/></clipPath>\n\
-                 <g clip-path=\"url(#frame{left}-{top})\">"
+                "<clipPath id=\"{id}\"><rect x=\"{left}\" y=\"{top}\" width=\"{width:.1}\" height=\"{height:.1}\"/></clipPath>\n\
+                 <g clip-path=\"url(#{id})\">"
             );
         }
         for line in &self.panel.lines {

@@ -7,6 +7,7 @@ use std::process::{Command, Stdio};
 use std::thread;
 
 mod causes;
+mod class;
 mod command_line;
 mod completions;
 mod data_files;

@@ -23,6 +23,7 @@ mod files;
 mod first_sight;
 mod fit;
 mod groups;
+mod handed_in;
 mod insane;
 mod kept;
 mod layouts;
@@ -82,6 +83,7 @@ fn main() -> ExitCode {
         first_sight::TESTS,
         fit::TESTS,
         groups::TESTS,
+        handed_in::TESTS,
         insane::TESTS,
         kept::TESTS,
         layouts::TESTS,

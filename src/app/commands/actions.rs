@@ -216,6 +216,8 @@ pub static ACTIONS: &[Action] = &[
     action("save the worksheet of the lesson", &[], save(Product::Worksheet)),
     action("save the lab of the lesson", &[], save(Product::LabSheet)),
     action("save the teacher’s page of the lesson", &[], save(Product::TeachersPage)),
+    action("hand in my answers in the lesson", &[], window(WindowCommand::Toggle(Overlay::Answers))),
+    action("collect the answers of a class", &[], window(WindowCommand::Toggle(Overlay::Class))),
     action(
         "copy the command of this window",
         &[with_control(Key::C)],

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use gamow_platform::files;
 
+use crate::app::commands::class::answers_in;
 use crate::app::state::State;
 use crate::app::state::document::report;
 use crate::app::state::files::purpose::Purpose;
@@ -50,6 +51,10 @@ impl State {
     /// Performs a command about files.
     pub(super) fn perform_file(&mut self, command: FileCommand) {
         match command {
+            FileCommand::Open(path) if answers_in(&path).is_some() => {
+                self.scratch.chooser = None;
+                self.follow_answers(answers_in(&path).unwrap_or_default());
+            }
             FileCommand::Open(_) | FileCommand::OpenData(_) | FileCommand::Reload(_) => {
                 self.read_and_show(&command);
             }
@@ -86,6 +91,7 @@ impl State {
     #[must_use]
     pub fn errand(&self, command: &FileCommand) -> Option<Errand> {
         let (path, purpose) = match command {
+            FileCommand::Open(path) if answers_in(path).is_some() => return None,
             FileCommand::Open(path) => (path, Use::Show),
             FileCommand::OpenData(path) => (path, Use::Fit),
             FileCommand::Reload(path) if self.scene_file() == Some(path) => (path, Use::RenewScene),

@@ -4,6 +4,7 @@
 pub(in crate::app) mod actions;
 mod by_name;
 pub(in crate::app) mod choice_keys;
+pub(in crate::app) mod class;
 pub mod file_dialog;
 mod files;
 mod gaze;
@@ -23,6 +24,7 @@ mod undo;
 mod window;
 
 use crate::app::state::State;
+use crate::app::state::class::ClassCommand;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::state::measuring::angle_ruler::RulerCommand;
 use crate::app::state::measuring::stopwatch::StopwatchCommand;
@@ -63,6 +65,8 @@ pub enum Command {
     MapView(Viewpoint),
     /// Begins a lesson, or does something in the one that is gone through.
     Lesson(LessonCommand),
+    /// Collects answers of a class.
+    Class(ClassCommand),
     /// Shows something else.
     Show(ShowCommand),
     /// Reads, writes or copies.
@@ -96,6 +100,7 @@ commands_of! {
     Stopwatch: StopwatchCommand,
     Plots: PlotCommand,
     Lesson: LessonCommand,
+    Class: ClassCommand,
     Show: ShowCommand,
     File: FileCommand,
     Window: WindowCommand,
@@ -141,6 +146,7 @@ impl State {
             Command::Plots(command) => self.perform_plots(command),
             Command::MapView(viewpoint) => self.scratch.map_view = viewpoint,
             Command::Lesson(command) => self.perform_lesson(command),
+            Command::Class(command) => self.perform_class(command),
             Command::Show(command) => self.perform_show(command),
             Command::File(command) => self.perform_file(command),
             Command::Window(command) => self.perform_window(command),

@@ -121,6 +121,9 @@ fn product_settings(ui: &mut Ui, state: &State, product: Product, chooser: &mut 
         Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
             "A page to print from a browser, the same as by `gamow lesson`.".to_owned()
         }
+        Product::ClassPage => {
+            "How often each answer was given, beside the truth: a page to print from a browser.".to_owned()
+        }
         Product::Fit => "The numbers of the Fit tab, as `gamow fit --json` writes them.".to_owned(),
     };
     ui.label(RichText::new(text).weak());

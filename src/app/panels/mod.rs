@@ -7,6 +7,7 @@ pub mod controls;
 pub mod corrected;
 pub mod file_dialog;
 pub mod fusing;
+pub mod handed_in;
 pub mod help;
 pub mod lesson;
 pub mod map;

@@ -9,17 +9,17 @@ use crate::app::commands::saving::MOST_FRAMES;
 use crate::app::commands::saving::work::{SaveJob, SaveOutcome, SceneSnapshot, name_of};
 use crate::app::shell::App;
 #[cfg(not(feature = "desktop"))]
-use crate::app::shell::web::{Copying, link_to};
+use crate::app::shell::web::Copying;
 use crate::app::state::files::purpose::Product;
 use crate::app::state::notice::Notice;
 use crate::app::state::orders::{Copied, Order, Saving};
 use crate::app::tools::image;
+use crate::app::tools::page_link::link_to;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{Compare, RendererChoice, Size};
 use crate::flags::words::Shell;
+use crate::lesson::Lesson;
 use crate::scene::is_model;
-#[cfg(feature = "desktop")]
-use crate::settings::link_of_pairs as link_to;
 use crate::settings::{Daylight, Settings};
 use crate::studio::film::{FilmKind, loop_times};
 
@@ -107,7 +107,8 @@ impl App {
                 let base = Box::new(self.state.lesson_base());
                 // The fit that stands in its tab.
                 let fit = self.fitting.shown().map(|_| Box::new(self.state.fit_key()));
-                self.begin(ui.ctx(), SaveJob::Report(Box::new(course), base, fit, path), name, 1);
+                let pupil = self.state.session.class.name.clone();
+                self.begin(ui.ctx(), SaveJob::Report(Box::new(course), base, fit, pupil, path), name, 1);
             }
             Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
                 let lesson = self.state.course().map(|course| Box::new(course.lesson().clone()));
@@ -115,6 +116,12 @@ impl App {
                     return self.tell(ui.ctx(), Notice::error("No lesson is open."));
                 };
                 self.begin(ui.ctx(), SaveJob::Sheet(lesson, sheet, path), name, 1);
+            }
+            Product::ClassPage => {
+                let lessons =
+                    self.state.answered_lessons().iter().map(|lesson| Lesson::clone(lesson)).collect();
+                let text = self.state.session.class.text.clone();
+                self.begin(ui.ctx(), SaveJob::Class(lessons, text, path), name, 1);
             }
             Product::Scene => match self.state.scene_file().filter(|model| is_model(model)) {
                 Some(model) => self.begin(ui.ctx(), SaveJob::Scene(model.to_owned(), path), name, 1),
@@ -184,6 +191,10 @@ impl App {
             }
             Copied::Command => Ok(self.state.shown().window_command(Shell::here())),
             Copied::Link => self.state.shown().link_pairs().map(|pairs| link_to(&pairs)),
+            Copied::Answers => {
+                let pairs = self.state.own_answers().ok_or_else(|| "Nothing was answered yet.".to_owned());
+                pairs.map(|pairs| link_to(&pairs))
+            }
             Copied::RenderCommand => {
                 Ok(self.settings_of_picture(ui, self.state.frame.picture.size).command(Shell::here()))
             }
@@ -193,8 +204,11 @@ impl App {
         match text {
             Ok(text) => {
                 // What is copied as a line is short enough to be shown.
-                let shown =
-                    if copied == Copied::Values { "the values at T".to_owned() } else { text.clone() };
+                let shown = match copied {
+                    Copied::Values => "the values at T".to_owned(),
+                    Copied::Answers => "the link with your answers".to_owned(),
+                    _ => text.clone(),
+                };
                 self.copy_text(ctx, text, Notice::done(format!("Copied: {shown}")));
             }
             Err(problem) => self.tell(ctx, Notice::error(problem)),

@@ -74,6 +74,7 @@ impl App {
         commands.extend(dropped::take(&ctx).map(|path| Command::File(FileCommand::Open(path))));
         panels::palette::show(&ctx, &self.state, &mut commands);
         panels::help::show(&ctx, &self.state, &mut commands);
+        panels::handed_in::show(&ctx, &self.state, &mut commands);
         self.chooser.update(&self.state, &mut commands);
         panels::file_dialog::show(&ctx, &self.state, &mut self.chooser, &mut commands);
         panels::saving::show(&ctx, &self.saver, &mut commands);

@@ -1,5 +1,6 @@
 //! The state of the window, in parts by how long each lasts.
 
+pub mod class;
 pub mod defaults;
 pub mod document;
 pub mod files;
@@ -27,6 +28,7 @@ use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, Geometry, Method, View};
 
 use crate::accuracy::Choice;
+use crate::app::state::class::ClassAnswers;
 use crate::app::state::document::Document;
 use crate::app::state::files::purpose::Purpose;
 use crate::app::state::files::reader::ReadyScene;
@@ -119,6 +121,8 @@ pub struct Session {
     pub next_lesson: Option<String>,
     /// Everything that was entered in lessons, in the open one too.
     pub answers: Answers,
+    /// Answers that are handed in.
+    pub class: ClassAnswers,
     /// The lessons that there are, where they are not the program's own alone.
     pub library: Option<Arc<Library>>,
     /// The sequence that is gone through with a presenter's two keys.

@@ -38,6 +38,8 @@ pub enum Copied {
     Command,
     /// The link that opens the same.
     Link,
+    /// The link with the answers in the open lesson.
+    Answers,
     /// The command that draws the same picture.
     RenderCommand,
     /// The command that gives the numbers of the selected point's curves.

@@ -7,6 +7,10 @@ pub enum Overlay {
     Help,
     /// The command palette.
     Palette,
+    /// The user's own answers in the open lesson, as a link.
+    Answers,
+    /// The links with the answers of a class.
+    Class,
     /// The start page: the ways in, and the chapters.
     Start,
     /// The lessons of the chapter with this number, from 0.
@@ -27,7 +31,7 @@ impl Overlay {
     pub const fn below(self) -> Option<Self> {
         match self {
             Self::Chapter(_) | Self::Presets => Some(Self::Start),
-            Self::Help | Self::Palette | Self::Start => None,
+            Self::Help | Self::Palette | Self::Answers | Self::Class | Self::Start => None,
         }
     }
 }

@@ -12,6 +12,7 @@ pub(in crate::app) mod icon;
 pub(in crate::app) mod image;
 #[cfg(any(test, not(feature = "desktop")))]
 pub(in crate::app) mod mirror;
+pub(in crate::app) mod page_link;
 pub mod painting;
 pub(in crate::app) mod preparing;
 mod speed_slider;

@@ -8,6 +8,7 @@ pub(in crate::app) mod focus;
 pub(in crate::app) mod formula;
 pub(in crate::app) mod icons;
 pub(in crate::app) mod markdown;
+pub(in crate::app) mod qr_code;
 pub(in crate::app) mod theme;
 pub(in crate::app) mod wavelength_colour;
 

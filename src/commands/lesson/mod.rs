@@ -6,14 +6,15 @@ use std::io::Write as _;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
-use gamow_platform::progress;
+use gamow_platform::{messages, progress};
 
 use crate::files::whole::{ensure_ending, write_whole};
 use crate::lesson::Library;
+use crate::lesson::class::{self, Collected};
 use crate::lesson::worksheet::{self, SheetKind};
 
 /// Writes what goes with a lesson on paper: the worksheet with its questions, the task and the data of its
-/// lab, a page for whoever teaches. At least one of them must be named.
+/// lab, a page for whoever teaches, and a page of the class's answers. At least one of them must be named.
 #[derive(Debug, Args)]
 #[command(before_long_help = EXAMPLES, group = ArgGroup::new("sheets").required(true).multiple(true))]
 pub struct LessonArgs {
@@ -33,6 +34,13 @@ pub struct LessonArgs {
     /// wrong.
     #[arg(long, value_name = "FILE.html", group = "sheets")]
     teacher: Option<PathBuf>,
+    /// Write the class's page to this file: how its pupils have answered each question.
+    #[arg(long, value_name = "FILE.html", group = "sheets", requires = "from")]
+    class: Option<PathBuf>,
+    /// Files with the pupils' answers, for the class's page: texts and tables with their links, reports. `-`
+    /// is standard input.
+    #[arg(long, value_name = "FILE", num_args = 1.., requires = "class")]
+    from: Vec<PathBuf>,
     /// A folder with your own lessons, beside the program's.
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
@@ -42,7 +50,8 @@ const EXAMPLES: &str = "\
 Examples:
   gamow lesson rods --worksheet rods.html
   gamow lesson rods --worksheet rods-answers.html --answers
-  gamow lesson rods --teacher rods-teacher.html --lab rods-lab.html";
+  gamow lesson rods --teacher rods-teacher.html --lab rods-lab.html
+  gamow lesson rods --class rods-class.html --from answers.csv";
 
 /// Runs the command `gamow lesson`.
 pub fn run(args: &LessonArgs) -> anyhow::Result<()> {
@@ -54,15 +63,31 @@ pub fn run(args: &LessonArgs) -> anyhow::Result<()> {
     ];
     let sheets: Vec<_> =
         sheets.into_iter().filter_map(|(flag, path, sheet)| Some((flag, path.as_ref()?, sheet))).collect();
-    for (flag, path, _) in &sheets {
+    let named = sheets
+        .iter()
+        .map(|(flag, path, _)| (*flag, *path))
+        .chain(args.class.iter().map(|path| ("--class", path)));
+    for (flag, path) in named {
         ensure_ending(flag, path, "html")?;
     }
-    let lesson = Library::new(args.lessons.as_deref())?.open(&args.name)?.worked_out()?;
+    let library = Library::new(args.lessons.as_deref())?;
+    let lesson = library.open(&args.name)?.worked_out()?;
     // All are made before one is written.
     let progress = progress::bar((sheets.len() * lesson.steps.len()) as u64, "steps");
     let page = |sheet| worksheet::page(&lesson, sheet, || progress.inc(1));
-    let pages = sheets.iter().map(|(_, path, sheet)| Ok((path, page(*sheet)?)));
-    let pages = pages.collect::<anyhow::Result<Vec<_>>>()?;
+    let pages = sheets.iter().map(|(_, path, sheet)| Ok((*path, page(*sheet)?)));
+    let mut pages = pages.collect::<anyhow::Result<Vec<_>>>()?;
+    if let Some(path) = &args.class {
+        let mut collected = Collected::default();
+        for file in &args.from {
+            collected.add_file(file)?;
+        }
+        let lesson = library.open(&args.name)?;
+        pages.push((path, class::page(&[&lesson], &collected, || {})?));
+        for unread in &collected.unread {
+            messages::remark(format_args!("gamow: {unread}"));
+        }
+    }
     progress.finish_and_clear();
     for (path, page) in pages {
         write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))?;

@@ -8,6 +8,7 @@ use super::course::Course;
 use super::plan::Lesson;
 
 pub use progress::LessonProgress;
+pub(super) use progress::asked;
 
 /// The ways through all lessons, by their lessons.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -94,7 +94,7 @@ impl LessonProgress {
 
 impl Record {
     /// Whether the record can belong to `step`.
-    fn fits(&self, step: &Step) -> bool {
+    pub(in crate::lesson) fn fits(&self, step: &Step) -> bool {
         let is_answer = match (&self.outcome, &step.prediction) {
             (Some(Outcome::Made { answer, .. }), Some(asked)) => answer.fits(&asked.kind),
             (Some(_), None) => false,
@@ -118,7 +118,7 @@ pub(super) fn key(lesson: &Lesson) -> String {
 }
 
 /// Returns all questions of `step`.
-fn asked(step: &Step) -> String {
+pub(in crate::lesson) fn asked(step: &Step) -> String {
     let mut asked = String::new();
     let mut add = |question: &str, options: Option<&Options>| {
         asked += question;

@@ -83,12 +83,12 @@ impl Chooser {
         self.path = match self.purpose {
             Some(Purpose::Save(product)) => {
                 let scene = Path::new(&state.document.settings.scene).file_stem().unwrap_or_default();
+                let is_of_lesson = product == Product::Report || product.sheet().is_some();
                 let lesson =
-                    state.course().filter(|_| product == Product::Report || product.sheet().is_some());
-                let subject = lesson.map_or_else(
-                    || scene.to_string_lossy().into_owned(),
-                    |course| course.lesson().name.clone(),
-                );
+                    state.course().filter(|_| is_of_lesson).map(|course| course.lesson().name.clone());
+                let answered = state.answered_lessons().first().map(|lesson| lesson.name.clone());
+                let lesson = lesson.or(answered.filter(|_| product == Product::ClassPage));
+                let subject = lesson.unwrap_or_else(|| scene.to_string_lossy().into_owned());
                 folder.join(product.file_name(&subject)).display().to_string()
             }
             _ => folder.join("").display().to_string(),

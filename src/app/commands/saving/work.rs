@@ -15,6 +15,7 @@ use crate::estimate::samples::FitKey;
 use crate::estimate::{FitReport, outliers};
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
+use crate::lesson::class::{self, Collected};
 use crate::lesson::worksheet::{self, SheetKind};
 use crate::lesson::{Course, Lesson, report};
 use crate::number_text;
@@ -48,8 +49,16 @@ pub enum SaveJob {
     Fit(Box<FitKey>, PathBuf),
     /// The scene in which the model in the first file rides.
     Scene(PathBuf, PathBuf),
-    /// Report of a lesson, whose states build on these settings; with a fit.
-    Report(Box<Course>, #[serde(with = "message::boxed")] Box<Settings>, Option<Box<FitKey>>, PathBuf),
+    /// Report of a lesson, whose states build on these settings; with a fit, and the name of the pupil.
+    Report(
+        Box<Course>,
+        #[serde(with = "message::boxed")] Box<Settings>,
+        Option<Box<FitKey>>,
+        String,
+        PathBuf,
+    ),
+    /// The class's page of these lessons, with the answers in the links of a text.
+    Class(Vec<Lesson>, String, PathBuf),
     /// A sheet of a lesson, to print.
     Sheet(Box<Lesson>, SheetKind, PathBuf),
 }
@@ -132,6 +141,7 @@ impl SaveJob {
             | Self::Fit(_, path)
             | Self::Scene(_, path)
             | Self::Report(.., path)
+            | Self::Class(.., path)
             | Self::Sheet(.., path) => path,
             Self::Clipboard(_) => Path::new(""),
         }
@@ -169,10 +179,14 @@ impl SaveJob {
                 let text = scene_text(&model, files::folder_of(&path)).map_err(anyhow::Error::msg)?;
                 written(path, &text)
             }
-            Self::Report(course, base, key, path) => {
+            Self::Report(course, base, key, pupil, path) => {
                 // Of what cannot be fitted there is no table.
                 let fit = key.and_then(|key| fitted(&key).ok()).map(|(report, _)| report.to_string());
-                written(path, &report::page(&course, &base, fit.as_deref())?)
+                written(path, &report::page(&course, &base, fit.as_deref(), &pupil)?)
+            }
+            Self::Class(lessons, text, path) => {
+                let lessons: Vec<&Lesson> = lessons.iter().collect();
+                written(path, &class::page(&lessons, &Collected::from_text(&text), || {})?)
             }
             Self::Sheet(lesson, sheet, path) => written(path, &worksheet::page(&lesson, sheet, || {})?),
         }

@@ -3,11 +3,12 @@
 use eframe::egui::{Button, Ui};
 
 use crate::app::commands::actions::keys_of;
-use crate::app::commands::{Command, FileCommand};
+use crate::app::commands::{Command, FileCommand, WindowCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::orders::Copied;
+use crate::app::state::overlay::Overlay;
 use crate::scene::is_model;
 use crate::settings::PlotTab;
 
@@ -30,7 +31,7 @@ const OPEN: [MenuEntry; 2] = [
     ),
 ];
 
-const SAVE: [MenuEntry; 12] = [
+const SAVE: [MenuEntry; 13] = [
     save("Save picture…", Product::Picture),
     save("Save plots as SVG…", Product::PlotsSvg),
     save("Save plots as CSV…", Product::PlotsCsv),
@@ -43,6 +44,11 @@ const SAVE: [MenuEntry; 12] = [
     save("Worksheet of the lesson…", Product::Worksheet),
     save("Lab of the lesson…", Product::LabSheet),
     save("Teacher’s page of the lesson…", Product::TeachersPage),
+    (
+        "Answers of a class…",
+        Command::Window(WindowCommand::Toggle(Overlay::Class)),
+        "Takes the links with your pupils’ answers, and shows how they have answered.",
+    ),
 ];
 
 const COPY: [MenuEntry; 6] = [

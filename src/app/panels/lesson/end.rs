@@ -45,11 +45,19 @@ pub fn show(ui: &mut Ui, running: &Running, commands: &mut Commands) {
         if ui.button("Start over").on_hover_text(anew).clicked() {
             ask(commands, LessonCommand::BeginAnew);
         }
+        let mine = "Shows your answers as a link and a code, to hand them in";
+        if ui.button("My answers…").on_hover_text(mine).clicked() {
+            commands.push(WindowCommand::Toggle(Overlay::Answers).into());
+        }
         for (name, product) in PAGES {
             let is_there = product != Product::LabSheet || course.lesson().lab.is_some();
             if is_there && ui.button(name).on_hover_text(product.tip()).clicked() {
                 commands.push(FileCommand::Choose(Purpose::Save(product)).into());
             }
+        }
+        let of_class = "Takes the links with your pupils’ answers, and shows how they have answered";
+        if ui.button("Class…").on_hover_text(of_class).clicked() {
+            commands.push(WindowCommand::Toggle(Overlay::Class).into());
         }
         if ui.button("All lessons").clicked() {
             commands.push(WindowCommand::Toggle(Overlay::Start).into());

@@ -1,5 +1,5 @@
 //! The state in the fragment of the page's address: `#beta=0.99&scene=globe`, `#lesson=rods`, `#present`,
-//! `#stereoscope`, `#start`; with `data=NAME` for a table of one's own.
+//! `#stereoscope`, `#start`, `#answers=TOKEN`; with `data=NAME` for a table of one's own.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,6 +11,7 @@ use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
 use crate::estimate::data_file::DataFile;
+use crate::lesson::class::KEY;
 use crate::settings::{Settings, link_of_pairs};
 
 /// The fragment of an address.
@@ -24,6 +25,8 @@ pub struct Fragment {
     pub stereoscope: bool,
     /// Whether the start page lies over the window.
     pub start: bool,
+    /// The token of a pupil's answers.
+    pub answers: Option<String>,
     /// The name of the table with own data that is fitted. The address cannot carry the table itself.
     pub data: Option<String>,
     /// The settings that differ from the defaults, as in a link.
@@ -38,6 +41,7 @@ impl Fragment {
         for part in text.split('&').filter(|part| !part.is_empty()) {
             match part.split_once('=') {
                 Some(("lesson", name)) => fragment.lesson = Some(name.to_owned()),
+                Some((KEY, token)) => fragment.answers = Some(token.to_owned()),
                 Some(("data", name)) => {
                     fragment.data = Some(percent_decode_str(name).decode_utf8_lossy().into_owned())
                 }
@@ -66,6 +70,7 @@ impl Fragment {
             presents: stage.is_presented(),
             stereoscope: stage.stereoscope,
             start,
+            answers: followed_answers(state).map(str::to_owned),
             data,
             pairs,
         })
@@ -80,8 +85,15 @@ impl Fragment {
         let data =
             self.data.as_ref().map(|name| format!("data={}", utf8_percent_encode(name, NON_ALPHANUMERIC)));
         let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
-        let parts =
-            lesson.into_iter().chain(presents).chain(stereoscope).chain(start).chain(data).chain(pairs);
+        let answers = self.answers.as_ref().map(|token| format!("{KEY}={token}"));
+        let parts = lesson
+            .into_iter()
+            .chain(presents)
+            .chain(stereoscope)
+            .chain(start)
+            .chain(answers)
+            .chain(data)
+            .chain(pairs);
         parts.collect::<Vec<_>>().join("&")
     }
 
@@ -90,8 +102,8 @@ impl Fragment {
         *self == Self::default()
     }
 
-    /// Has `state` fit the table that the address names, if the browser has kept one of that name. Returns the
-    /// message that it is so, or that the page does not have it; none where `state` fits it already.
+    /// Has `state` fit the table that the address names, if the browser has kept one of that name. Returns
+    /// the message that it is so, or that the page does not have it; none where `state` fits it already.
     pub fn find_data(&self, state: &mut State) -> Option<Notice> {
         let name = self.data.as_ref()?;
         if state.session.data.as_ref().is_some_and(|file| file.name == *name) {
@@ -121,6 +133,11 @@ impl Fragment {
         self.lesson.is_none().then(|| PathBuf::from(link_of_pairs(&self.pairs)))
     }
 
+    /// Returns the link with a pupil's answers, if it has some.
+    pub fn link_with_answers(&self) -> Option<PathBuf> {
+        self.answers.as_ref().map(|token| PathBuf::from(link_of_pairs(&format!("{KEY}={token}"))))
+    }
+
     /// Returns the settings that it leads to, and a message if there is something wrong with it. What it does
     /// not name is as it was `left`, or for what is shown the default.
     pub fn settings(&self, left: Settings) -> (Settings, Option<String>) {
@@ -130,6 +147,11 @@ impl Fragment {
             Err(error) => (left, Some(error.to_string())),
         }
     }
+}
+
+/// Returns the token of the answers that a link has led to, while they are shown.
+pub fn followed_answers(state: &State) -> Option<&str> {
+    state.session.class.followed.as_deref().filter(|_| state.session.overlay == Some(Overlay::Class))
 }
 
 /// Whether the start page, or one of those behind it, lies over the window.

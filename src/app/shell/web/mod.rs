@@ -42,11 +42,6 @@ const NO_GRAPHICS: &str = "The window cannot be drawn: this browser offers neith
 const STEREOSCOPE_EVENTS: [(&str, fn(&mut PageApp)); 2] =
     [("gamow-turned", PageApp::turn_device), ("gamow-leave-stereoscope", PageApp::leave_stereoscope)];
 
-/// Returns the address of this page with these `pairs` of a setting and its value.
-pub fn link_to(pairs: &str) -> String {
-    format!("{}#{pairs}", page::address())
-}
-
 /// Opens the window in the page; in an instance beside it, does the work that this is for.
 pub fn start() {
     // Errors alone: what libraries warn of is no concern of a user's.
@@ -152,6 +147,9 @@ fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
     let data = fragment.find_data(&mut state);
     let problem = problem.map(Notice::error).or(notice).or(data);
     state.scratch.notice = problem.or(state.scratch.notice);
+    if let Some(token) = &fragment.answers {
+        state.follow_answers(token);
+    }
     Ok(state)
 }
 

@@ -9,7 +9,7 @@ use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
 use gamow_platform::web::{page, tasks};
 
-use super::address::{Fragment, Opened, fitted_table};
+use super::address::{Fragment, Opened, fitted_table, followed_answers};
 use super::webgpu::{self, FirstPicture};
 use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::panels::sentence;
@@ -102,6 +102,9 @@ impl PageApp {
         if fragment.stereoscope != self.app.state().session.stage.stereoscope {
             self.app.run(WindowCommand::ToggleStereoscope);
         }
+        if let Some(link) = fragment.link_with_answers() {
+            self.app.run(FileCommand::Open(link));
+        }
         if let Some(notice) = fragment.find_data(&mut self.app.state) {
             self.app.state.tell(notice);
         }
@@ -162,6 +165,7 @@ impl PageApp {
                     || fragment.stereoscope != state.session.stage.stereoscope
                     || fragment.start != matches!(opened, Some(Opened::Start))
                     || fragment.lesson.is_some() != state.course().is_some()
+                    || fragment.answers.as_deref() != followed_answers(state)
                     || fragment.data.as_deref() != fitted_table(state)
             });
             if is_other || *document != state.document {

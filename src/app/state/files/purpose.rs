@@ -43,6 +43,8 @@ pub enum Product {
     LabSheet,
     /// The page for whoever teaches the lesson.
     TeachersPage,
+    /// The page of a class: how it has answered.
+    ClassPage,
 }
 
 impl Product {
@@ -61,6 +63,7 @@ impl Product {
             Self::Worksheet => "worksheet",
             Self::LabSheet => "lab",
             Self::TeachersPage => "teacher’s page",
+            Self::ClassPage => "class’s page",
         }
     }
 
@@ -82,6 +85,7 @@ impl Product {
             Self::Worksheet => "Saves the questions with room for answers, as a page to print.",
             Self::LabSheet => "Saves the task to measure by hand, with its data, as a page to print.",
             Self::TeachersPage => "Saves aim, minutes, what to say and the answers, as a page to print.",
+            Self::ClassPage => "Saves how the class has answered each question, as a page to print.",
         }
     }
 
@@ -118,7 +122,9 @@ impl Product {
             Self::State | Self::Scene => &["toml"],
             Self::Film | Self::TenSeconds => &FilmKind::ENDINGS,
             Self::Fit => &["json"],
-            Self::Report | Self::Worksheet | Self::LabSheet | Self::TeachersPage => &["html"],
+            Self::Report | Self::Worksheet | Self::LabSheet | Self::TeachersPage | Self::ClassPage => {
+                &["html"]
+            }
         }
     }
 
@@ -137,6 +143,7 @@ impl Product {
             Self::Worksheet => "-worksheet",
             Self::LabSheet => "-lab",
             Self::TeachersPage => "-teacher",
+            Self::ClassPage => "-class",
         };
         format!("{subject}{what}.{}", self.endings()[0])
     }
@@ -188,6 +195,7 @@ impl Purpose {
             Self::Save(Product::Worksheet) => "Save the worksheet of the lesson",
             Self::Save(Product::LabSheet) => "Save the lab of the lesson",
             Self::Save(Product::TeachersPage) => "Save the teacher’s page of the lesson",
+            Self::Save(Product::ClassPage) => "Save the page of the class",
         }
     }
 }
