@@ -67,7 +67,9 @@ fn in_window(
         .show(ctx, |ui| {
             ui.set_width(width);
             let height = (room.y - 2.0 * AROUND).max(1.0);
-            ScrollArea::vertical().max_height(height).show(ui, |ui| contents(ui, commands));
+            // It scrolls where the room ends, and not where the window did before its contents grew.
+            let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+            area.show(ui, |ui| contents(ui, commands));
         });
     if !is_open {
         commands.push(WindowCommand::Toggle(overlay).into());
