@@ -229,8 +229,8 @@ fn without_formulas(text: &str) -> String {
     text.split('$').step_by(2).collect::<Vec<_>>().join(" ")
 }
 
-/// Goes through `lessons` in windows of this `size`, as `arranged`, and looks for `least` of each part. Returns
-/// the parts that they name.
+/// Goes through `lessons` in windows of this `size`, as `arranged`, and looks for `least` of each part.
+/// Returns the parts that they name.
 fn look_at(
     lessons: &[Arc<Lesson>],
     size: [f32; 2],

@@ -1,5 +1,5 @@
-//! What is clicked is easy to hit: it is 24 points wide and high, or a circle of that width about its middle meets
-//! no other target (Web Content Accessibility Guidelines 2.2, 2.5.8).
+//! What is clicked is easy to hit: it is 24 points wide and high, or a circle of that width about its middle
+//! meets no other target (Web Content Accessibility Guidelines 2.2, 2.5.8).
 
 use eframe::egui::Rect;
 use eframe::egui::accesskit::Role;

@@ -42,8 +42,8 @@ impl Watch {
         self.is_stopped.store(true, Ordering::Relaxed);
     }
 
-    /// Number of pieces of the work that are done, with the part of the last one, such as 1.25; 0 for work that
-    /// does not tell.
+    /// Number of pieces of the work that are done, with the part of the last one, such as 1.25; 0 for work
+    /// that does not tell.
     #[must_use]
     pub fn pieces_done(&self) -> f64 {
         let [pieces, parts, done] =

@@ -2,15 +2,13 @@
 //! `#stereoscope`, `#start`, `#answers=TOKEN`; with `data=NAME` for a table of one's own.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use gamow_platform::messages;
+use gamow_platform::files;
 use percent_encoding::{NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
-use crate::estimate::data_file::DataFile;
 use crate::lesson::class::KEY;
 use crate::settings::{Settings, link_of_pairs};
 
@@ -102,24 +100,11 @@ impl Fragment {
         *self == Self::default()
     }
 
-    /// Has `state` fit the table that the address names, if the browser has kept one of that name. Returns
-    /// the message that it is so, or that the page does not have it; none where `state` fits it already.
-    pub fn find_data(&self, state: &mut State) -> Option<Notice> {
+    /// Returns the table that the address names, unless `state` fits it already.
+    pub fn wanted_data(&self, state: &State) -> Option<&Path> {
         let name = self.data.as_ref()?;
-        if state.session.data.as_ref().is_some_and(|file| file.name == *name) {
-            return None;
-        }
-        let shown = messages::excerpt(name);
-        match DataFile::open(Path::new(name), state.document.settings.baseline()) {
-            Ok(file) => {
-                state.session.data = Some(Arc::new(file));
-                Some(Notice::done(format!("{shown} is fitted as this browser has kept it.")))
-            }
-            Err(_) => Some(Notice::error(format!(
-                "{shown} is not here: the page comes from a link, or its browser has not kept the table. Until you open your \
-                data again (File, Fit own data), simulated ones are fitted."
-            ))),
-        }
+        let is_fitted = state.session.data.as_ref().is_some_and(|file| file.name == *name);
+        (!is_fitted).then_some(Path::new(name))
     }
 
     /// Returns the link that its settings make, if it has any.
@@ -162,6 +147,15 @@ fn is_start_page(state: &State) -> bool {
 /// Returns the name of the table with own data that is fitted, but in a lesson, which has its own address.
 pub fn fitted_table(state: &State) -> Option<&str> {
     state.session.data.as_ref().filter(|_| state.course().is_none()).map(|file| file.name.as_str())
+}
+
+/// Returns the message that the page does not have the table at `path`, which an address names.
+pub fn missing_data(path: &Path) -> Notice {
+    Notice::error(format!(
+        "{} is not here: the page comes from a link, or its browser has not kept the table. Until you open your data again \
+        (File, Fit own data), simulated ones are fitted.",
+        files::shown(path)
+    ))
 }
 
 /// A place that a reader opens, and comes back to by the browser's Back.

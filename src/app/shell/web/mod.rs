@@ -9,13 +9,14 @@ mod webgpu;
 
 use std::panic;
 use std::path::Path;
+use std::sync::Arc;
 
 use eframe::{CreationContext, WebOptions, WebRunner};
 use gamow_platform::files;
 use gamow_platform::web::{instances, page, tasks};
 
 use self::accessibility::Accessibility;
-use self::address::Fragment;
+use self::address::{Fragment, missing_data};
 pub(in crate::app::shell) use self::copying::Copying;
 use self::page_app::PageApp;
 use crate::app::commands::saving::SavingStep;
@@ -32,6 +33,7 @@ use crate::app::tools::worker::{Work as _, serve as serve_work};
 use crate::app::views::{
     corrected::Correction, examination::MethodSteps, picture_steps::PictureSteps, thumbnails::ThumbnailSteps,
 };
+use crate::estimate::data_file::DataFile;
 use crate::settings::Settings;
 
 /// The sentence for a browser without graphics.
@@ -144,7 +146,14 @@ fn first_state(left: Loaded, fragment: &Fragment) -> anyhow::Result<State> {
     if fragment.start {
         state.session.overlay = Some(Overlay::Start);
     }
-    let data = fragment.find_data(&mut state);
+    let data = fragment.wanted_data(&state).map(|path| {
+        let Ok(file) = DataFile::open(path, state.document.settings.baseline()) else {
+            return missing_data(path);
+        };
+        let notice = Notice::done(format!("{} is fitted as this browser has kept it.", files::shown(path)));
+        state.session.data = Some(Arc::new(file));
+        notice
+    });
     let problem = problem.map(Notice::error).or(notice).or(data);
     state.scratch.notice = problem.or(state.scratch.notice);
     if let Some(token) = &fragment.answers {

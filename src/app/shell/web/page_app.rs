@@ -7,9 +7,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Context, Event, Id, Pos2, RawInput, TouchDeviceId, TouchId, TouchPhase, Ui, Vec2};
 use eframe::{CreationContext, WebRunner};
 use gamow_platform::clock::Instant;
+use gamow_platform::files;
 use gamow_platform::web::{page, tasks};
 
-use super::address::{Fragment, Opened, fitted_table, followed_answers};
+use super::address::{Fragment, Opened, fitted_table, followed_answers, missing_data};
 use super::webgpu::{self, FirstPicture};
 use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::panels::sentence;
@@ -105,8 +106,10 @@ impl PageApp {
         if let Some(link) = fragment.link_with_answers() {
             self.app.run(FileCommand::Open(link));
         }
-        if let Some(notice) = fragment.find_data(&mut self.app.state) {
-            self.app.state.tell(notice);
+        match fragment.wanted_data(self.app.state()) {
+            Some(path) if files::is_file(path) => self.app.run(FileCommand::OpenData(path.to_owned())),
+            Some(path) => self.app.state.tell(missing_data(path)),
+            None => {}
         }
         self.address.opened = Opened::from_state(self.app.state());
         self.address.fragment = Some(fragment.clone());

@@ -91,8 +91,8 @@ impl<S: Simd> Facings<S> {
     }
 }
 
-/// The entry of the table of the sky at this turn and place, so far between two speeds, of which these are the
-/// `tables`, and of paint with these shares.
+/// The entry of the table of the sky at this turn and place, so far between two speeds, of which these are
+/// the `tables`, and of paint with these shares.
 #[inline(always)]
 fn in_table(tables: [&[[f32; 4]]; 2], at: [f32; 3], shares: [f32; 3]) -> [f32; 4] {
     let below = |of: usize, count: usize| (at[of] as usize).min(count - 2);
