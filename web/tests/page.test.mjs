@@ -463,18 +463,6 @@ test('own data are there after a reload, and a page that has lost them says so a
     await eventually('what is missing', () => says('my data.csv is not here'));
 }));
 
-test('an own scene is there after a reload', () => inWindow('#beta=0.6&refine=off', async window => {
-    await window.press('Escape');
-    await window.drop('mine.toml', 'name = "Mine"\n[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n');
-    const isNamed = async () => (await window.settings()).get('scene') === 'mine.toml';
-    await eventually('the scene in the address', isNamed);
-    await window.page.reload();
-    await window.shown();
-    await window.rest(1500);
-    assert.ok(await isNamed());
-    assert.equal(await window.problem(), '');
-}));
-
 // The text that a PNG keeps under this name.
 const textInPng = (bytes, name) => {
     for (let at = 8; at < bytes.length; at += 12 + bytes.readUInt32BE(at)) {
