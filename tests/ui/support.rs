@@ -95,12 +95,10 @@ pub fn sweep([some, all]: [usize; 2]) -> usize {
 /// that of the next number, and in the nightly checks all.
 pub fn some_lessons(number: usize) -> Vec<Arc<Lesson>> {
     let parts = sweep([3, 1]);
-    let lessons = Library::own();
-    let lessons = lessons.all().iter().filter(|lesson| !lesson.is_a_preset());
-    lessons.skip(number % parts).step_by(parts).cloned().collect()
+    all_lessons().into_iter().skip(number % parts).step_by(parts).collect()
 }
 
-/// Returns all of them.
+/// Returns all lessons of the program.
 pub fn all_lessons() -> Vec<Arc<Lesson>> {
     Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()).cloned().collect()
 }

@@ -1,5 +1,5 @@
-//! What is clicked is easy to hit: it is 24 points wide and high, or a circle of that width about its middle
-//! meets no other target (Web Content Accessibility Guidelines 2.2, 2.5.8).
+//! Each target of a click is easy to hit: it is 24 points wide and high, or a circle of that width about its
+//! middle meets no other target (Web Content Accessibility Guidelines 2.2, 2.5.8).
 
 use eframe::egui::Rect;
 use eframe::egui::accesskit::Role;
@@ -30,7 +30,7 @@ const CLICKED: &[Role] = &[
     Role::TextInput,
 ];
 
-/// How the names of a slider's ticks begin: a second way to what the slider does.
+/// Beginnings of the names of a slider's ticks, which are a second way to what the slider does.
 const TICKS: [&str; 2] = ["Go to ", "Set β to "];
 
 /// The targets in the window, by their names.
@@ -45,7 +45,7 @@ fn targets(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
         .collect()
 }
 
-/// Those that are too small, each with what is too near.
+/// Returns the targets that are too small, each with another that is too near.
 fn crowded(targets: &[(String, Rect)]) -> Vec<String> {
     let is_small = |rect: &Rect| rect.size().min_elem() < LEAST;
     let is_near = |rect: &Rect, other: &Rect| {

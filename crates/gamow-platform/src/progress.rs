@@ -30,8 +30,8 @@ fn shown(progress: ProgressBar, template: &str, things: &'static str) -> Progres
     progress.with_style(style).with_prefix(things)
 }
 
-/// Does `work`, which has so many pieces of about the same size, and shows how far it is: on standard error,
-/// if that is a terminal and it takes its time.
+/// Does `work` and shows a bar of its progress on standard error, if that is a terminal and the work takes
+/// longer than two seconds. `pieces` is the number of its pieces, which are of about the same size.
 pub fn shown_while<T: Send>(pieces: usize, work: impl FnOnce() -> T + Send) -> T {
     let bar = shown(ProgressBar::new(STEPS as u64), "{bar:40} {percent} %, {eta} left", "");
     if bar.is_hidden() {

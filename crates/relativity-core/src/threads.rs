@@ -25,14 +25,14 @@ pub fn on_half<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     }
 }
 
-/// Work as somebody sees it who waits for it: how far it is; and who may have it given up.
+/// A watch over work that another thread does: its progress is read here, and it can be stopped from here.
 #[derive(Debug, Default)]
 pub struct Watch {
     is_stopped: AtomicBool,
     /// Number of pieces that were begun, of which the last one has `parts`.
     pieces: AtomicU32,
     parts: AtomicU32,
-    /// Those of its parts that are done.
+    /// Number of parts of the last piece that are done.
     done: AtomicU32,
 }
 
@@ -72,8 +72,8 @@ pub fn goes_on() -> impl Fn() -> bool + Send + Sync {
     move || !watch.as_ref().is_some_and(|watch| watch.is_stopped.load(Ordering::Relaxed))
 }
 
-/// Begins a piece of so many parts of the work that this thread does, such as a picture of so many rows.
-/// Returns what is to be called when one of them is done, by any thread that helps with it.
+/// Begins a piece of the work of this thread, such as a picture, which has this number of `parts`, such as
+/// its rows. Returns a function that any thread calls when it has done one of them.
 pub fn in_parts(parts: u32) -> impl Fn() + Send + Sync {
     let watch = WATCH.with_borrow(Clone::clone);
     if let Some(Watch { pieces, parts: all, done, .. }) = watch.as_deref() {

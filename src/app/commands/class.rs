@@ -33,8 +33,8 @@ impl State {
         self.session.class.text = text;
     }
 
-    /// Takes the answers of this `token`, which stands in a link that was followed, to those of the class;
-    /// and says whose they are.
+    /// Adds the answers in this `token` of a followed link to those of the class, and leaves a message that
+    /// names the pupil.
     pub(in crate::app) fn follow_answers(&mut self, token: &str) {
         let answers = match PupilAnswers::from_token(token) {
             Ok(answers) => answers,
@@ -52,7 +52,7 @@ impl State {
         self.tell(notice);
     }
 
-    /// Returns a message that says whose `answers` these are, and how many are right.
+    /// Returns a message with the pupil, the lesson and the number of right ones of these `answers`.
     fn summary(&self, answers: &PupilAnswers) -> Notice {
         let PupilAnswers { lesson: name, name: pupil, .. } = answers;
         let who = if pupil.is_empty() { "a pupil without a name" } else { pupil };

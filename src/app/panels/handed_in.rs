@@ -16,6 +16,7 @@ use crate::app::tools::page_link::link_to;
 use crate::app::widgets::{focus, qr_code, theme};
 use crate::caption::capitalised;
 use crate::lesson::Lesson;
+use crate::lesson::class::Collected;
 
 /// Width of both, and room around them, points.
 const WIDTH: f32 = 460.0;
@@ -27,7 +28,7 @@ const NAME: f32 = 200.0;
 /// Lines of the text with links, and height that it may take, points.
 const LINES: usize = 7;
 const TEXT_HEIGHT: f32 = 150.0;
-/// What may stand in the text.
+/// An example of such a text, shown while it is empty.
 const HINT: &str = "Ada gamow:?answers=…\nBen;gamow:?answers=…;12:01";
 /// Links that cannot be read and are named.
 const MOST_NAMED: usize = 3;
@@ -137,7 +138,8 @@ fn class(ui: &mut Ui, state: &State, commands: &mut Commands) {
         }
     });
     ui.add_space(theme::GAP);
-    for line in counts(state) {
+    let lessons = state.answered_lessons();
+    for line in counts(&answers.collected, &lessons) {
         ui.label(line);
     }
     for unread in answers.collected.unread.iter().take(MOST_NAMED) {
@@ -148,9 +150,8 @@ fn class(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
     ui.add_space(theme::GAP);
     ui.horizontal(|ui| {
-        let has_any = !state.answered_lessons().is_empty();
         let save = RichText::new("Save the class’s page…").strong();
-        ui.add_enabled_ui(has_any, |ui| {
+        ui.add_enabled_ui(!lessons.is_empty(), |ui| {
             if ui.button(save).on_hover_text(Product::ClassPage.tip()).clicked() {
                 commands.push(FileCommand::Choose(Purpose::Save(Product::ClassPage)).into());
             }
@@ -161,10 +162,8 @@ fn class(ui: &mut Ui, state: &State, commands: &mut Commands) {
     });
 }
 
-/// What was read, in lines: each lesson with the number of its pupils.
-fn counts(state: &State) -> Vec<String> {
-    let collected = &state.session.class.collected;
-    let lessons = state.answered_lessons();
+/// Returns the numbers of pupils whose answers were `collected`, a line for each of these `lessons`.
+fn counts(collected: &Collected, lessons: &[Arc<Lesson>]) -> Vec<String> {
     let pupils = |count: usize| format!("{count} {}", if count == 1 { "pupil" } else { "pupils" });
     let of = |lesson: &Arc<Lesson>| (lesson.title.clone(), collected.of(&lesson.name).count());
     let here: Vec<_> = lessons.iter().map(of).collect();

@@ -7,7 +7,7 @@ use eframe::egui::{
 
 use crate::lesson::class::QrCode;
 
-/// Physical pixels of a module at least: with fewer a camera cannot tell them apart.
+/// Least side of a module, physical pixels: a camera cannot distinguish smaller ones.
 const LEAST: f32 = 2.0;
 
 /// Shows `text` as a code of about this `side`, points; `what` describes it. Nothing of a text that is too

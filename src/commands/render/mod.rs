@@ -82,8 +82,8 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     };
     let frame = studio.frame(None)?;
     let out = vr180::named(studio.settings(), &args.out);
+    let pictures = if kind == FileKind::Exr { 2 } else { studio.settings().picture.eyes().len() };
     for _ in 0..if args.timings { args.repeat } else { 1 } {
-        let pictures = if kind == FileKind::Exr { 2 } else { studio.settings().picture.eyes().len() };
         progress::shown_while(pictures, || studio.make_file(&frame, kind, &out))?;
     }
     if out != args.out {

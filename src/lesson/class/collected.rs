@@ -35,7 +35,7 @@ pub struct Collected {
 /// A link that could not be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unread {
-    /// Name of the text in which it stands; empty if there is only one.
+    /// Name of the text that contains the link; empty if there is only one text.
     pub source: String,
     /// Number of its line there, from 1.
     pub line: usize,

@@ -1,4 +1,4 @@
-//! How a class has answered one question, as a part of a page.
+//! The answers of a class to one question, as a part of a page.
 
 use std::fmt::Write as _;
 

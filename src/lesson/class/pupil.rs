@@ -23,7 +23,7 @@ pub struct PupilAnswers {
 pub(super) struct StepAnswers {
     /// Mark of the step's questions: a lesson may be rewritten in the meantime.
     pub asked: u16,
-    /// The answers themselves.
+    /// The prediction and the observation in this step.
     pub record: Record,
 }
 

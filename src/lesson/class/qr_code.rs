@@ -49,7 +49,8 @@ impl QrCode {
         })
     }
 
-    /// Returns the code as an element of a page, each module so many millimetres wide; `what` describes it.
+    /// Returns the code as an element of a page, with modules of this width in millimetres; `what` describes
+    /// it.
     #[must_use]
     pub fn svg(&self, what: &str, module: f64) -> String {
         let (side, width) = (self.side, self.side as f64 * module);

@@ -1,4 +1,4 @@
-//! How many predictions of one question were right, and how sure their makers were.
+//! Counts of the right predictions of one question, by the confidence of the pupils.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use crate::lesson::verdict::verdict;
 /// The judgement of one pupil's prediction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Judgement {
-    /// No prediction was asked for or made, and none skipped.
+    /// No prediction: none was asked for, or the question was not reached.
     Missing,
     /// The prediction was skipped.
     Skipped,
@@ -18,7 +18,7 @@ pub(super) enum Judgement {
     Right,
     /// The prediction is not right.
     Wrong,
-    /// A curve, or raised hands: neither right nor wrong.
+    /// A prediction that is neither right nor wrong, as a curve or raised hands.
     Neither,
 }
 
@@ -130,7 +130,7 @@ impl Chosen {
         Self(vec![[0; Self::PARTS]; count])
     }
 
-    /// Adds the prediction in `record`: a choice, or the hands that a class has raised for each.
+    /// Adds the prediction in `record`: a choice, or the raised hands of a class.
     pub fn add_prediction(&mut self, record: &Record) {
         let last = Self::PARTS - 1;
         match record.answer() {

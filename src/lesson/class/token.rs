@@ -27,13 +27,13 @@ pub(super) const MOST_LETTERS: usize = 1 << 13;
 /// A text that is no token, in one line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum TokenError {
-    /// It is longer than any token.
+    /// The text is longer than any token.
     #[error("this link is longer than any with answers ({MOST_LETTERS} letters)")]
     TooLong,
     /// Letters are missing or changed.
     #[error("this link is damaged or cut off: ask for it again, or for the report")]
     Damaged,
-    /// It has another version.
+    /// The token has another version.
     #[error("this link is by another version of Gamow, and cannot be read by this one")]
     OtherVersion,
 }
@@ -81,7 +81,7 @@ impl PupilAnswers {
         BASE64_URL_SAFE_NO_PAD.encode(bytes)
     }
 
-    /// Reads `token`.
+    /// Returns the answers that are written in `token`.
     ///
     /// # Errors
     /// A token that is too long, damaged, or of another version.

@@ -22,7 +22,7 @@ thread_local!(static GIVEN: RefCell<BTreeMap<PathBuf, Vec<u8>>> = const { RefCel
 /// A file that is read.
 pub type Regular = Cursor<Vec<u8>>;
 
-/// What the names of given files begin with in the browser's storage.
+/// Beginning of the names of given files in the browser's storage.
 const OWN: &str = "own/";
 /// Letters that these may have together there: of the five million for which browsers have room.
 const MOST_OWN: usize = 3_000_000;

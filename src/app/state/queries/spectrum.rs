@@ -21,7 +21,7 @@ pub struct PointLight {
     /// is seen.
     pub doppler_factors: [Option<f64>; 2],
     appearance: Appearance,
-    /// How the point moves through the street's daylight, if that lights it, when its light leaves for each
+    /// Motion of the point through the street's daylight, if that lights it, when its light leaves for each
     /// eye.
     facings: [Option<Facing>; 2],
 }
@@ -54,7 +54,7 @@ impl PointLight {
 /// The spectrum of a point's light.
 #[derive(Debug, Clone)]
 pub struct PointSpectrum {
-    /// That light.
+    /// The light whose spectrum it is.
     pub of: PointLight,
     /// Greatest radiance of the light at rest; `None` of light without a spectrum.
     peak: Option<f64>,
@@ -65,7 +65,6 @@ pub struct PointSpectrum {
 /// The street's daylight on the surface at a point that moves through it.
 #[derive(Debug, Clone)]
 struct Lit {
-    facing: Facing,
     daylight: FallingDaylight,
     /// Greatest radiance of what it sends.
     peak: Option<f64>,
@@ -77,7 +76,7 @@ impl PointSpectrum {
     pub fn new(of: PointLight) -> Self {
         let lit = |facing: Facing| {
             let daylight = facing.daylight();
-            Lit { facing, peak: peak(of.light, Some(&daylight)), daylight }
+            Lit { peak: peak(of.light, Some(&daylight)), daylight }
         };
         let left = of.facings[0].map(lit);
         let right = if of.facings[1] == of.facings[0] { left.clone() } else { of.facings[1].map(lit) };
@@ -98,7 +97,7 @@ impl PointSpectrum {
     /// light leaves for `eye`: power over photons, both relative to rest. `None` where it is lit as at rest.
     #[must_use]
     pub fn falls_with(&self, eye: Eye) -> Option<f64> {
-        Some(math::exp2(self.lit_for(Some(eye))?.facing.mean_octaves()))
+        Some(math::exp2(self.of.facings[eye.index()]?.mean_octaves()))
     }
 
     fn lit_for(&self, eye: Option<Eye>) -> Option<&Lit> {

@@ -104,7 +104,7 @@ fn tyre(lesson: &Lesson) -> Gaze {
     with_sight(&settings, |sight: &Sight<'_>| sight.direction("front tyre")).expect("it is in sight")
 }
 
-/// Five pupils: three choose, one skips, and a class has raised its hands.
+/// Five sets of answers: of three pupils who choose, of one who skips, and the raised hands of a class.
 fn class(lesson: &Lesson) -> Collected {
     let worked_out = lesson.worked_out().expect("it can be worked out");
     let AnswerKind::Number(asked) = &worked_out.steps[1].prediction.as_ref().expect("it asks").kind else {
