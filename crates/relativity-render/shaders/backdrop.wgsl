@@ -213,7 +213,7 @@ fn seen_through_haze(line: Line, distance: f32) -> f32 {
     return 1.0 / (1.0 + HAZE * near * near);
 }
 
-fn ground_colour(sky: vec3f, line: Line, distance: f32) -> vec3f {
+fn ground_colour(sky: vec4f, line: Line, distance: f32) -> vec4f {
     let from_camera = line.n.xy * distance;
     let foot = frame.ground.xy + from_camera;
     let right = shift(line, line.right, distance);
@@ -230,7 +230,7 @@ fn ground_colour(sky: vec3f, line: Line, distance: f32) -> vec3f {
         let axes = line_cover(foot, AXIS_HALF_WIDTH, pixel);
         painted = mix(gridded, frame.backdrop[4].rgb, max(axes.x, axes.y));
     }
-    return mix(sky, painted, seen_through_haze(line, distance));
+    return mix(sky, vec4f(painted, 0.0), seen_through_haze(line, distance));
 }
 
 // How the place where it meets house fronts moves.
@@ -238,17 +238,18 @@ fn shift_on_fronts(line: Line, step: vec3f, distance: f32) -> vec2f {
     return (step.xz - line.n.xz * (step.y / line.n.y)) * (line.scale * distance);
 }
 
-fn with_fronts(without: vec3f, sky: vec3f, line: Line) -> vec3f {
+fn with_fronts(without: vec4f, sky: vec4f, line: Line) -> vec4f {
     let distance = frame.road.z / line.n.y;
     let place = vec2f(frame.ground.x, -frame.ground.z) + line.n.xz * distance;
     let right = shift_on_fronts(line, line.right, distance);
     let down = shift_on_fronts(line, line.down, distance);
     let seen = front(place, sqrt(right * right + down * down));
-    return mix(without, mix(sky, seen.rgb, seen_through_haze(line, distance)), seen.a);
+    return mix(without, mix(sky, vec4f(seen.rgb, 0.0), seen_through_haze(line, distance)), seen.a);
 }
 
-// The light that a screen shows as `colour`: up to the brightest level that it tells from 1.
-fn unshouldered(colour: vec3f) -> vec3f {
+// The light that a screen shows as `colour`, with the sky's share in it: up to the brightest level that it
+// tells from 1.
+fn unshouldered(colour: vec4f) -> vec4f {
     let largest = max(colour.r, max(colour.g, colour.b));
     if largest <= KNEE {
         return colour;
@@ -257,16 +258,17 @@ fn unshouldered(colour: vec3f) -> vec3f {
     return colour * ((KNEE + (1.0 - KNEE) * (1.0 / left - 1.0)) / largest);
 }
 
-// What is received of paint on the street or of the sky, see `light/street_light.rs`.
-fn received_from_street(painted: vec3f, doppler: f32) -> vec3f {
+// What is received of paint on the street and of the sky, see `light/street_light.rs`.
+fn received_from_street(painted: vec4f, doppler: f32) -> vec3f {
     let octaves = log2(doppler);
     let paint = unshouldered(painted);
     var seen: vec4f;
     if STREET_ROW == FIRST_SUNLIT {
-        seen = sunlit(FIRST_SUNLIT, paint, SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * (octaves * frame.street_light.x));
+        let place = SUNLIT_AT_REST + SUNLIT_PER_OCTAVE * (octaves * frame.street_light.x);
+        seen = sunlit(FIRST_SUNLIT, paint.rgb, place) + vec4f(paint.w * looked_up(SKY_ROW, place).rgb, 0.0);
     } else {
         let tint = looked_up(FALSE_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * (octaves * frame.street_light.x));
-        seen = vec4f(paint * tint.rgb, tint.a);
+        seen = vec4f(paint.rgb * tint.rgb, tint.a);
     }
     let power = frame.street_light.y * seen.a + frame.street_light.z * octaves + frame.street_light.w;
     let light = on_screen(seen.rgb * power_of_two(power));
@@ -277,7 +279,8 @@ fn received_from_street(painted: vec3f, doppler: f32) -> vec3f {
 fn behind(pixel: vec2f) -> vec3f {
     let line = line_on_ground(line_of_sight(pixel));
     let nearness = 1.0 - min(SKY_RISE * abs(line.n.z), 1.0);
-    let sky = mix(frame.backdrop[1].rgb, frame.backdrop[0].rgb, nearness * nearness);
+    // Linear sRGB at rest, and the share of the sky's own light in it.
+    let sky = mix(frame.backdrop[1], frame.backdrop[0], nearness * nearness);
     var colour = sky;
     if GROUND && line.n.z < -1e-6 {
         colour = ground_colour(sky, line, frame.ground.z / line.n.z);
@@ -286,9 +289,9 @@ fn behind(pixel: vec2f) -> vec3f {
         colour = with_fronts(colour, sky, line);
     }
     if STREET_ROW != 0 {
-        colour = received_from_street(colour, line.doppler);
+        return received_from_street(colour, line.doppler);
     }
-    return colour;
+    return colour.rgb;
 }
 
 @fragment

@@ -16,8 +16,9 @@ const LINE_ROW = 0;
 const MAP_ROW = 4;
 const FALSE_ROW = 5;
 const UNSEEN_DAYLIGHT_ROW = 6;
-const FIRST_SUNLIT = 7;
-const WHITE_ROW = 10;
+const SKY_ROW = 7;
+const FIRST_SUNLIT = 8;
+const WHITE_ROW = 11;
 
 fn looked_up(row: i32, place: f32) -> vec4f {
     let last = i32(textureDimensions(tables).x) - 1;

@@ -1,7 +1,9 @@
 //! Colours of paint in shifted daylight against sums done here: over every quarter of a nm from
 //! 360 to 830, with no logarithm and no lookup.
 
-use relativity_render::colour::sunlit::{colour, in_daylight, lit_by_shifted, log2_level, on_screen};
+use relativity_render::colour::sunlit::{
+    colour, in_daylight, lit_by_shifted, log2_level, on_screen, share_of_sky, sky_beside_paint,
+};
 use relativity_render::colour::{luminance, srgb_encoded};
 use relativity_render::{Material, Paint};
 
@@ -200,6 +202,34 @@ fn smooth_paints_add_up_to_white() {
             assert!((-share..=luminance(white) + share).contains(&of), "{primary:?} at {octaves}: {of}");
         }
     }
+}
+
+/// The sky's light, daylight less that of the sun 11.2 degrees off the normal, as what is left of a colour
+/// that is all sky.
+#[test]
+fn the_sky_shines_with_its_own_spectrum() {
+    let white_at_rest = xyz(&|_| 1.0, 1.0, 1.0);
+    let [global, direct] = [1, 2].map(|column| Curve::new(SUN, column));
+    let cosine = 11.2_f64.to_radians().cos();
+    let of_sky = |doppler: f64| {
+        let share = |nm: f64| 1.0 - cosine * direct.at(nm) / global.at(nm).max(1e-30);
+        balanced(xyz(&share, doppler, 1.0), white_at_rest)
+    };
+    let at_rest = of_sky(1.0);
+    let brightest = at_rest.into_iter().fold(0.0, f64::max);
+    for doppler in doppler_factors() {
+        let octaves = doppler.log2();
+        let white = balanced(xyz(&|_| 1.0, doppler, 1.0), white_at_rest);
+        let whitest = on_screen(white).into_iter().fold(0.0, f64::max);
+        let expected = of_sky(doppler).map(|part| part / brightest / whitest);
+        let [paint, beside] =
+            [colour(Paint::Smooth(at_rest.map(|part| part / brightest)), octaves), sky_beside_paint(octaves)];
+        let found = std::array::from_fn(|part| paint[part] + beside[part]);
+        let off = levels(found, expected);
+        assert!(off < 1.0, "at {doppler}: {off} levels, {found:?} for {expected:?}");
+    }
+    assert!((share_of_sky(at_rest) / brightest - 1.0).abs() < 1e-3);
+    assert_eq!([[0.0, 0.5, 0.5], [0.9, 0.8, 0.7]].map(share_of_sky), [0.0; 2]);
 }
 
 /// Far above the data daylight is as the light of anything hot: its colour stays, and it rises as D.

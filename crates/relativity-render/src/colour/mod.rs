@@ -149,7 +149,7 @@ pub fn luminance([red, green, blue]: [f64; 3]) -> f64 {
 }
 
 /// Between the colours `a` (at `t` = 0) and `b` (at `t` = 1).
-pub(crate) fn mix(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
+pub(crate) fn mix<const N: usize>(a: [f64; N], b: [f64; N], t: f64) -> [f64; N] {
     std::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
 }
 

@@ -16,6 +16,8 @@ static MATERIALS: LazyLock<Columns<{ Material::COUNT }>> =
 /// Reflectances of red, green and blue smooth paint, 380 to 780 nm, which add up to 1.
 static SMOOTH: LazyLock<Columns<3>> =
     LazyLock::new(|| Columns::new(include_str!("../../assets/smooth-paint.csv")));
+/// Cosine of the angle between that tilted surface and the sun, 11.2 degrees.
+const TOWARDS_SUN: f64 = 0.981;
 /// The end of the data of daylight, nm.
 const LONGEST_NM: f64 = 4000.0;
 
@@ -62,8 +64,19 @@ impl<const N: usize> Columns<N> {
 #[must_use]
 pub fn daylight(nm: f64) -> f64 {
     let [global, _] = SUN.at(nm);
+    global * left_beyond_data(nm)
+}
+
+/// The part of [`daylight`] that comes from the sky and not from the sun: blue, and faint in the infrared.
+#[must_use]
+pub fn skylight(nm: f64) -> f64 {
+    let [global, direct] = SUN.at(nm);
+    (global - TOWARDS_SUN * direct).max(0.0) * left_beyond_data(nm)
+}
+
+fn left_beyond_data(nm: f64) -> f64 {
     let beyond = (nm / LONGEST_NM).max(1.0);
-    global / (beyond * beyond * beyond * beyond)
+    1.0 / (beyond * beyond * beyond * beyond)
 }
 
 /// The reflectance of `paint` at a wavelength, nm. Outside the range in which it is known, 400 to 2400 nm for

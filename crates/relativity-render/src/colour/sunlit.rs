@@ -7,6 +7,13 @@
 //! of that at rest where sunlight has all but ended: so colours are contrasts with white, and the level is
 //! how bright light has become.
 //!
+//! # The sky
+//!
+//! The sky shines with a spectrum of its own: daylight less what comes from the sun. As much of it as there is
+//! in a colour of the backdrop ([`share_of_sky`]) counts as that light, the rest, the white of haze, as smooth
+//! paint: so the sky's light stands here as what it has beside smooth paint of its colour,
+//! [`sky_beside_paint`].
+//!
 //! # Paint in light that is shifted otherwise
 //!
 //! What moves through the street's daylight reflects what it receives with a Doppler factor of its own. There
@@ -26,7 +33,7 @@ use glam::DMat3;
 use relativity_core::math::{exp2, log2};
 
 use super::paint::{Material, Paint};
-use super::spectra::{daylight, reflectance};
+use super::spectra::{daylight, reflectance, skylight};
 use super::spectrum::VISIBLE_NM;
 use super::{colour_matching, ipt, luminance};
 
@@ -42,6 +49,8 @@ const AT_REST: usize = 384;
 pub const PAINTS: usize = 4 + Material::COUNT;
 /// The row of white paint.
 pub const WHITE: usize = 3;
+/// Linear sRGB of the sky's light at rest, over its brightest component.
+const SKY: [f64; 3] = [0.556, 0.668, 1.0];
 /// log2 of the least level, beside that at rest: 13 stops are what a good camera has in one picture. Where
 /// daylight is fainter, white is dark beside it.
 const LEAST_LEVEL: f64 = -13.0;
@@ -71,6 +80,8 @@ struct SunlitTable {
     in_daylight: Vec<Vec<[f64; 3]>>,
     /// Linear sRGB over white's level, in shifted daylight, of red, green and blue smooth paint at rest.
     lights: Vec<Vec<[f64; 3]>>,
+    /// Linear sRGB over white's level of the sky's light, less that of smooth paint of its colour at rest.
+    sky: Vec<[f64; 3]>,
 }
 
 /// Spectra in cells of the logarithm of the wavelength, as wide as an entry of the table.
@@ -79,6 +90,8 @@ struct Cells {
     matching: Vec<[f64; 3]>,
     /// Daylight from the shortest wavelength that is seen at the first entry to the longest at the last.
     daylight: Vec<f64>,
+    /// The sky's part of that.
+    skylight: Vec<f64>,
 }
 
 impl Cells {
@@ -98,8 +111,9 @@ impl Cells {
         let weight = |nm: f64, part: usize| colour_matching(nm).map_or(0.0, |of| of[part]) * nm;
         let width = LN_2 / PER_OCTAVE;
         let [x, y, z] = [0, 1, 2].map(|part| Self::averaged(seen, 0.0, |nm| weight(nm, part) * width));
-        let daylight = Self::averaged(seen + ENTRIES, -(AT_REST as f64), daylight);
-        Self { matching: (0..seen).map(|cell| [x[cell], y[cell], z[cell]]).collect(), daylight }
+        let [daylight, skylight] =
+            [daylight, skylight].map(|light| Self::averaged(seen + ENTRIES, -(AT_REST as f64), light));
+        Self { matching: (0..seen).map(|cell| [x[cell], y[cell], z[cell]]).collect(), daylight, skylight }
     }
 
     /// CIE XYZ of `light`, as far as eyes see it: its first cell is the shortest wavelength that they do.
@@ -142,8 +156,18 @@ impl SunlitTable {
             };
             reflectances[..count].iter().map(row).collect()
         };
+        let colours: Vec<Vec<[f64; 3]>> = rows(PAINTS, |entry| [entry; 2], true);
+        let skies: Vec<_> = (0..ENTRIES)
+            .map(|entry| linear(cells.stimulus(cells.skylight[entry..].iter().copied())))
+            .collect();
+        let brightest = skies[AT_REST].into_iter().fold(0.0, f64::max);
+        let beside_paint = |entry: usize| {
+            let paint = mixed(skies[AT_REST], from_fn(|primary| colours[primary][entry]));
+            from_fn(|part| (skies[entry][part] / whites[entry] - paint[part]) / brightest)
+        };
         Self {
-            colours: rows(PAINTS, |entry| [entry; 2], true),
+            sky: (0..ENTRIES).map(beside_paint).collect(),
+            colours,
             in_daylight: rows(PAINTS, |entry| [AT_REST, entry], false),
             lights: rows(WHITE, |entry| [entry, AT_REST], true),
             levels: whites.iter().enumerate().map(|(entry, white)| log2(white * power(entry))).collect(),
@@ -242,6 +266,23 @@ pub fn in_daylight(paint: Paint, octaves: f64) -> [f64; 3] {
 #[must_use]
 pub fn lit_by_shifted(shares: [f64; 3], octaves: f64) -> [f64; 3] {
     mixed(shares, from_fn(|primary| between(&TABLE.lights[primary], octaves, |entry| *entry)))
+}
+
+/// Returns how much of the sky's light, over its brightest component at rest, is taken to be in a colour at
+/// rest (linear sRGB): as much as makes what is left, the white of haze, no bluer than red, and no component
+/// of it less than 0.
+#[must_use]
+pub fn share_of_sky(colour: [f64; 3]) -> f64 {
+    let most = colour.into_iter().zip(SKY).map(|(of, sky)| of / sky).fold(f64::INFINITY, f64::min);
+    let [[red, _, blue], [red_of_sky, _, blue_of_sky]] = [colour, SKY];
+    ((blue - red) / (blue_of_sky - red_of_sky)).max(0.0).min(most)
+}
+
+/// Linear sRGB of the sky's light, over its brightest component at rest, that is received 2^`octaves` times
+/// as fast, less that of smooth paint of its colour at rest; over the level of white paint.
+#[must_use]
+pub fn sky_beside_paint(octaves: f64) -> [f64; 3] {
+    between(&TABLE.sky, octaves, |entry| *entry)
 }
 
 fn of_rows(rows: &[Vec<[f64; 3]>], paint: Paint, octaves: f64) -> [f64; 3] {

@@ -264,7 +264,7 @@ impl FrameUniform {
             contacts: [[[0.0; 4]; 2]; contact::MOST],
             houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),
             openings: OPENINGS.map(|opening| opening.map(|v| v as f32)),
-            backdrop: backdrop.colours().map(|colour| vector(colour.into())),
+            backdrop: backdrop.colours().map(|colour| colour.map(|part| part as f32)),
             hatch: Hatch::new(camera.size, appearance.light).packed(),
             clip_right,
             clip_up,

@@ -13,7 +13,9 @@ pub const ENTRIES: u32 = sunlit::ENTRIES as u32;
 /// Tables: the rows of [`Row`] with those of unseen shares; at the end those of [`sunlit::rows`].
 pub const ROWS: u32 = (FIRST_SUNLIT + 2 * sunlit::PAINTS + 3) as u32;
 /// The first row of colours in daylight: [`sunlit::rows`] in their order.
-pub const FIRST_SUNLIT: usize = 7;
+pub const FIRST_SUNLIT: usize = 8;
+/// The row of unseen shares of daylight.
+pub const UNSEEN_DAYLIGHT: usize = 6;
 
 /// A row of colours, whose last component is log2 of what they are multiplied by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,19 +28,22 @@ pub enum Row {
     Map,
     /// The street's grey in false colours, over the same.
     FalseGrey,
+    /// The sky's light beside that of smooth paint, over the same.
+    Sky,
     /// Paint in daylight, over the same: the number among [`sunlit::rows`].
     Sunlit(usize),
 }
 
 impl Row {
     /// Returns the number of the row. Unseen shares of light of one wavelength, of black bodies and of
-    /// daylight are the first components of the rows 2, 3 and 6.
+    /// daylight are the first components of the rows 2, 3 and [`UNSEEN_DAYLIGHT`].
     pub const fn number(self) -> usize {
         match self {
             Self::Line => 0,
             Self::Glow => 1,
             Self::Map => 4,
             Self::FalseGrey => 5,
+            Self::Sky => 7,
             Self::Sunlit(number) => FIRST_SUNLIT + number,
         }
     }
@@ -49,7 +54,7 @@ impl Row {
             Self::Line => LINE,
             Self::Glow => GLOW,
             Self::Map | Self::FalseGrey => MAP,
-            Self::Sunlit(_) => SUNLIT,
+            Self::Sky | Self::Sunlit(_) => SUNLIT,
         }
     }
 }
@@ -122,7 +127,9 @@ pub fn tables() -> Vec<[f32; 4]> {
     let falsely = MAP.table(coloured_false);
     let unseen_daylight = SUNLIT.table(|octaves| share(unseen_daylight(octaves)));
     let lights = line.chain(glow).chain(unseen_line).chain(unseen_glow).chain(map).chain(falsely);
-    lights.chain(unseen_daylight).chain(sunlit::rows().map(|entry| entry.map(|part| part as f32))).collect()
+    let sky = SUNLIT.table(|octaves| plain(sunlit::sky_beside_paint(octaves)));
+    let daylight = unseen_daylight.chain(sky);
+    lights.chain(daylight).chain(sunlit::rows().map(|entry| entry.map(|part| part as f32))).collect()
 }
 
 /// Linear sRGB of grey in the false colour of a Doppler factor of 2^`octaves`; and 0.

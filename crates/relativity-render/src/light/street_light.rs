@@ -2,7 +2,8 @@
 //!
 //! All of them rest on the ground and reflect daylight as smooth paint: light of the Doppler factor D is that
 //! of [`sunlit`], whose colours are linear in those at rest, so that mixtures of paints in a pixel stay
-//! exact.
+//! exact. The sky, and the haze before what is far, shine with the sky's own spectrum instead, as far as it
+//! is in their colour.
 //!
 //! The shaders' `received_from_street` and `cpu/packets/street/backdrop.rs` do the same by rows of the tables
 //! of `palette.rs`.
@@ -63,17 +64,23 @@ impl StreetLight {
         }
     }
 
-    /// Returns the linear sRGB that is received of a surface of this `colour` (linear sRGB) at
-    /// `doppler_factor`.
-    pub fn received(&self, colour: [f64; 3], doppler_factor: f64) -> [f64; 3] {
+    /// Returns the linear sRGB that is received, at `doppler_factor`, of what has this colour at rest: linear
+    /// sRGB, and the [share of the sky's light](sunlit::share_of_sky) in it.
+    pub fn received(&self, at_rest: [f64; 4], doppler_factor: f64) -> [f64; 3] {
         if *self == Self::PAINTED {
-            return colour;
+            let [red, green, blue, _] = at_rest;
+            return [red, green, blue];
         }
         let octaves = log2(doppler_factor);
-        let light = untoned(colour);
+        let [red, green, blue, sky] = untoned(at_rest);
+        let light = [red, green, blue];
         let (light, level) = match self.tint {
             Tint::None => (light, 0.0),
-            Tint::Daylight => (sunlit::colour(Paint::Smooth(light), octaves), sunlit::log2_level(octaves)),
+            Tint::Daylight => {
+                let [paint, beside] =
+                    [sunlit::colour(Paint::Smooth(light), octaves), sunlit::sky_beside_paint(octaves)];
+                (std::array::from_fn(|part| paint[part] + sky * beside[part]), sunlit::log2_level(octaves))
+            }
             Tint::False => {
                 let grey = coloured_false(octaves);
                 (std::array::from_fn(|part| light[part] * grey[part]), 0.0)
@@ -108,11 +115,16 @@ const MOST_LOG2: f64 = 100.0;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::colour::luminance;
     use crate::light::screen_light::Light;
     use crate::scene::body::Emission;
 
     const PAINTS: [[f64; 3]; 4] =
         [[0.66, 0.635, 0.59], [0.48, 0.62, 0.80], [0.17, 0.20, 0.24], [0.30, 0.24, 0.15]];
+
+    fn painted([red, green, blue]: [f64; 3]) -> [f64; 4] {
+        [red, green, blue, 0.0]
+    }
 
     fn light(street: StreetColours) -> StreetLight {
         StreetLight::new(&Appearance { street, exposure_ev: -3.0, ..Appearance::default() })
@@ -131,7 +143,7 @@ mod tests {
         let white = Appearance { exposure_ev: 0.0, ..appearance };
         let paint = body.shown(&white, 1.0).colour;
         for doppler_factor in [0.3, 0.7, 1.0, 1.9, 4.36, 19.9] {
-            let found = StreetLight::new(&appearance).received(paint, doppler_factor);
+            let found = StreetLight::new(&appearance).received(painted(paint), doppler_factor);
             let expected = body.shown(&appearance, doppler_factor).colour;
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() < 1e-9, "D = {doppler_factor}: {found} for {expected}");
@@ -143,7 +155,7 @@ mod tests {
     #[test]
     fn white_is_dark_where_sunlight_has_ended() {
         for doppler_factor in [0.05, 0.1, 0.39] {
-            let found = light(StreetColours::Shifted).received([1.0; 3], doppler_factor);
+            let found = light(StreetColours::Shifted).received(painted([1.0; 3]), doppler_factor);
             assert!(found.iter().all(|part| *part < 1e-3), "D = {doppler_factor}: {found:?}");
         }
     }
@@ -152,7 +164,7 @@ mod tests {
     fn shifted_paint_keeps_its_contrast() {
         for doppler_factor in [0.5, 1.0, 2.0, 20.0] {
             for grey in [0.02, 0.3, 0.9] {
-                let found = light(StreetColours::Shifted).received([grey; 3], doppler_factor);
+                let found = light(StreetColours::Shifted).received(painted([grey; 3]), doppler_factor);
                 let strongest = found.into_iter().fold(0.0, f64::max);
                 assert!((strongest / grey - 1.0).abs() < 1e-9, "D = {doppler_factor}: {found:?}");
             }
@@ -163,9 +175,24 @@ mod tests {
     fn paint_that_is_not_shifted_is_as_painted() {
         for street in [StreetColours::Painted, StreetColours::Shifted] {
             for paint in PAINTS {
-                let found = light(street).received(paint, 1.0);
+                let found = light(street).received(painted(paint), 1.0);
                 assert!(found.iter().zip(paint).all(|(found, paint)| (found - paint).abs() < 1e-12));
             }
+        }
+    }
+
+    /// Skylight has little infrared, so ahead it is bluer and darker than paint of its colour.
+    #[test]
+    fn the_sky_is_darker_than_paint_ahead() {
+        let light = light(StreetColours::Shifted);
+        let [red, green, blue] = [0.0556, 0.0668, 0.1];
+        let sky = |doppler_factor| light.received([red, green, blue, 0.1], doppler_factor);
+        let paint = |doppler_factor| light.received(painted([red, green, blue]), doppler_factor);
+        assert!(sky(1.0).iter().zip([red, green, blue]).all(|(found, rest)| (found - rest).abs() < 1e-9));
+        for doppler_factor in [1.3, 1.7, 2.5, 4.0] {
+            let [sky, paint] = [sky(doppler_factor), paint(doppler_factor)];
+            assert!(luminance(sky) < luminance(paint), "{sky:?} {paint:?}");
+            assert!(sky[0] / sky[2] < paint[0] / paint[2], "{sky:?} {paint:?}");
         }
     }
 
@@ -174,7 +201,7 @@ mod tests {
         for exponent in -100..=100 {
             for street in [StreetColours::Shifted, StreetColours::Received] {
                 for paint in PAINTS.into_iter().chain([[0.0; 3], [1.0; 3]]) {
-                    let shown = light(street).received(paint, exp2(f64::from(exponent)));
+                    let shown = light(street).received(painted(paint), exp2(f64::from(exponent)));
                     assert!(shown.into_iter().all(|part| (0.0..=1.0).contains(&part)), "{shown:?}");
                 }
             }

@@ -35,8 +35,10 @@ pub fn toned(linear: [f64; 3]) -> [f64; 3] {
 
 /// Returns the value that [`toned`] turned into `shown`; values shown as 1 and more are taken for a little
 /// less.
+///
+/// Further components, no larger than the colour's, are scaled with it.
 #[must_use]
-pub fn untoned(shown: [f64; 3]) -> [f64; 3] {
+pub fn untoned<const N: usize>(shown: [f64; N]) -> [f64; N] {
     scaled(shown, |y| {
         if y <= KNEE {
             return y;
@@ -46,7 +48,7 @@ pub fn untoned(shown: [f64; 3]) -> [f64; 3] {
     })
 }
 
-fn scaled(linear: [f64; 3], curve: impl Fn(f64) -> f64) -> [f64; 3] {
+fn scaled<const N: usize>(linear: [f64; N], curve: impl Fn(f64) -> f64) -> [f64; N] {
     let largest = linear.into_iter().fold(0.0, f64::max);
     if largest <= KNEE {
         return linear;

@@ -13,6 +13,7 @@ use super::sight::{GroundLine, StreetSight, StreetVariant};
 use crate::camera::Camera;
 use crate::camera::lines_of_sight::LinesOfSight;
 use crate::colour::mix;
+use crate::colour::sunlit::share_of_sky;
 use crate::light::street_light::StreetLight;
 use crate::light::tone::BRIGHTEST;
 use crate::light::{palette, tone};
@@ -225,6 +226,8 @@ impl LastPass {
 #[derive(Debug, Clone, Copy)]
 pub struct Backdrop {
     palette: Palette,
+    /// Linear sRGB of the horizon and the zenith, and the share of the sky's own light in it.
+    sky: [[f64; 4]; 2],
     aperture: DVec2,
     /// Height of the ground from the aperture, below 0: ground above the eye would hide everything.
     ground: Option<f64>,
@@ -247,8 +250,10 @@ impl Backdrop {
     pub fn new(camera: &Camera, geometry: Geometry, appearance: &Appearance) -> Self {
         let aperture = camera.aperture;
         let street = StreetSight::new(camera, geometry);
+        let palette = palette(appearance);
         Self {
-            palette: palette(appearance),
+            palette,
+            sky: [palette.horizon, palette.zenith].map(|colour| with_sky(colour, share_of_sky(colour))),
             aperture: DVec2::new(aperture.x, aperture.y),
             ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
             road: appearance.road,
@@ -265,15 +270,18 @@ impl Backdrop {
         Self { contacts: *contacts, ..self }
     }
 
-    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; and of
-    /// house fronts.
-    pub(crate) fn colours(&self) -> [[f64; 3]; 11] {
-        let Palette { horizon, zenith, earth, grid_line, axis_line, asphalt, .. } = self.palette;
+    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road, and of
+    /// house fronts; and the share of the sky's own light in each.
+    pub(crate) fn colours(&self) -> [[f64; 4]; 11] {
+        let Palette { earth, grid_line, axis_line, asphalt, .. } = self.palette;
         let [earth, lines, paint] = match self.road {
             Some(_) => [self.palette.pavement, self.palette.joint, self.palette.paint],
             None => [earth, grid_line, axis_line],
         };
         let Paints { wall, frame, glass, door, shop } = self.palette.fronts;
+        let [horizon, zenith] = self.sky;
+        let [earth, lines, paint, asphalt, wall, frame, glass, door, shop] =
+            [earth, lines, paint, asphalt, wall, frame, glass, door, shop].map(painted);
         [horizon, zenith, earth, lines, paint, asphalt, wall, frame, glass, door, shop]
     }
 
@@ -288,12 +296,12 @@ impl Backdrop {
     pub(crate) fn behind(&self, line_of_sight: DVec3) -> [f64; 3] {
         let seen = self.street.line(line_of_sight);
         let turns = || self.lines_of_sight.turns_of(line_of_sight).map(|turn| self.street.turn(&seen, turn));
-        self.light.received(self.painted(&seen, turns), seen.camera_per_ground)
+        self.light.received(self.at_rest(&seen, turns), seen.camera_per_ground)
     }
 
-    /// Linear sRGB of the paint that is `seen`, or of the sky; `turns` of the line on the ground lead from
-    /// one pixel to the next.
-    fn painted(&self, seen: &GroundLine, turns: impl Fn() -> [DVec3; 2]) -> [f64; 3] {
+    /// Linear sRGB at rest of what is `seen`, and the share of the sky's own light in it; `turns` of the line
+    /// on the ground lead from one pixel to the next.
+    fn at_rest(&self, seen: &GroundLine, turns: impl Fn() -> [DVec3; 2]) -> [f64; 4] {
         let direction = seen.direction;
         let below = self.height_distance(direction);
         let below = below.map(|distance| self.ground(seen, turns(), distance));
@@ -308,12 +316,12 @@ impl Backdrop {
         let place = DVec2::new(self.aperture.x, -ground) + direction.xz() * distance;
         let shift = |turn: DVec3| (turn.xz() - direction.xz() * (turn.y / direction.y)) * distance;
         let FrontPixel { colour, cover } = self.palette.fronts.front(place, pixel(turns(), shift));
-        mix(without, self.hazy(colour, seen, distance), cover)
+        mix(without, self.hazy(painted(colour), seen, distance), cover)
     }
 
     /// Returns the colour that is seen along `seen` of a surface of this `colour` at `distance` on the
     /// ground.
-    fn hazy(&self, colour: [f64; 3], seen: &GroundLine, distance: f64) -> [f64; 3] {
+    fn hazy(&self, colour: [f64; 4], seen: &GroundLine, distance: f64) -> [f64; 4] {
         let distance = distance * seen.haze_share();
         let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
         mix(self.sky_above(seen.direction), colour, 1.0 / (1.0 + haze * distance * distance))
@@ -331,10 +339,11 @@ impl Backdrop {
         self.light.received(self.sky_above(seen.direction), seen.camera_per_ground)
     }
 
-    /// Returns the sky's paint along a line of sight on the ground.
-    fn sky_above(&self, line_of_sight: DVec3) -> [f64; 3] {
+    /// Returns the sky at rest along a line of sight on the ground.
+    fn sky_above(&self, line_of_sight: DVec3) -> [f64; 4] {
+        let [horizon, zenith] = self.sky;
         let nearness = 1.0 - (SKY_RISE * line_of_sight.z.abs()).min(1.0);
-        mix(self.palette.zenith, self.palette.horizon, nearness * nearness)
+        mix(zenith, horizon, nearness * nearness)
     }
 
     /// Distance of the ground along the camera's `line_of_sight` (unit vector) in its frame, if it is met.
@@ -351,7 +360,7 @@ impl Backdrop {
 
     /// Linear sRGB of the ground met at `distance` along a line of sight on it, which turns by `turns` from
     /// one pixel to the next.
-    fn ground(&self, seen: &GroundLine, turns: [DVec3; 2], distance: f64) -> [f64; 3] {
+    fn ground(&self, seen: &GroundLine, turns: [DVec3; 2], distance: f64) -> [f64; 4] {
         let n = seen.direction;
         let foot = self.aperture + n.truncate() * distance;
         let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
@@ -370,6 +379,15 @@ impl Backdrop {
         };
         self.hazy(painted, seen, distance)
     }
+}
+
+/// A colour of paint, which holds none of the sky's light.
+fn painted(colour: [f64; 3]) -> [f64; 4] {
+    with_sky(colour, 0.0)
+}
+
+fn with_sky([red, green, blue]: [f64; 3], sky: f64) -> [f64; 4] {
+    [red, green, blue, sky]
 }
 
 /// Returns width and height of a pixel on a surface, given the turns of the line of sight to the next;

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use fearless_simd::i32x8;
 
 use crate::colour::sunlit::WHITE;
-use crate::light::palette::{self, ENTRIES, FIRST_SUNLIT, Row};
+use crate::light::palette::{self, ENTRIES, FIRST_SUNLIT, Row, UNSEEN_DAYLIGHT};
 use crate::light::shade::LIGHT;
 use crate::light::tone::{BRIGHTEST, KNEE};
 use crate::simd::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp, select};
@@ -130,7 +130,7 @@ impl Tables {
     #[inline(always)]
     pub fn unseen<S: Simd>(&self, row: usize, place: F<S>) -> F<S> {
         let simd = place.simd;
-        let table = &self.rows[if row >= FIRST_SUNLIT { FIRST_SUNLIT - 1 } else { row + 2 }];
+        let table = &self.rows[if row >= FIRST_SUNLIT { UNSEEN_DAYLIGHT } else { row + 2 }];
         let entries = entries(clamp(place, all(simd, 0.0), all(simd, LAST)) + 0.5);
         F::simd_from(simd, entries.map(|entry| table[entry][0]))
     }
@@ -166,15 +166,15 @@ pub fn toned<S: Simd>(light: V3<S>) -> V3<S> {
     light * (shoulder(largest) / largest.max(1e-30))
 }
 
-/// The light that a screen shows as `colour`, as [`crate::light::tone::untoned`].
+/// How many times as bright the light is that a screen shows as `colour`: see [`crate::light::tone::untoned`].
 #[inline(always)]
-pub fn untoned<S: Simd>(colour: V3<S>) -> V3<S> {
+pub fn untoning<S: Simd>(colour: V3<S>) -> F<S> {
     const ABOVE: f32 = (1.0 - KNEE) as f32;
     let largest = colour.x.max(colour.y).max(colour.z);
     let left = (1.0 - largest.min(BRIGHTEST as f32)) / ABOVE;
     let light = (1.0 / left - 1.0) * ABOVE + KNEE as f32;
     let is_above = largest.simd_gt(KNEE as f32);
-    colour * select(is_above, light / largest, all(largest.simd, 1.0))
+    select(is_above, light / largest, all(largest.simd, 1.0))
 }
 
 /// `light` where it has components below 0 as a screen can show it: see

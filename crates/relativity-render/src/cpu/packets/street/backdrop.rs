@@ -2,12 +2,15 @@
 
 use super::contact::left_by_contacts;
 use super::house_fronts::{CoveredRange, front};
-use crate::cpu::packets::light::tables::{Tables, on_screen, toned, untoned};
+use crate::cpu::packets::light::tables::{Tables, on_screen, toned, untoning};
 use crate::cpu::packets::logarithm::{log2, power_of_two};
 use crate::cpu::packets::ray::{GroupPassage, PixelSight, line_of_sight, passage, steps_but_along};
 use crate::frame::uniform::FrameUniform;
+use crate::light::palette::Row;
 use crate::light::street_light::{DAYLIT_ROW, FALSE_ROW};
-use crate::simd::lanes::{F, Simd, SimdBase as _, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
+use crate::simd::lanes::{
+    F, Mask, Simd, SimdBase as _, SimdFloat as _, SimdMask as _, V2, V3, all, clamp, select,
+};
 use crate::street::backdrop::{
     AXIS_HALF_WIDTH, BackdropPart, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
     LINE_HALF_WIDTH, SKY_RISE,
@@ -137,41 +140,73 @@ fn street_geometry(frame: &FrameUniform) -> Option<Geometry> {
     }
 }
 
+/// Colours at rest, and the share of the sky's own light in them.
+#[derive(Clone, Copy)]
+struct AtRest<S: Simd> {
+    colour: V3<S>,
+    sky: F<S>,
+}
+
+impl<S: Simd> AtRest<S> {
+    /// The colour of the backdrop with this number.
+    #[inline(always)]
+    fn of(simd: S, frame: &FrameUniform, number: usize) -> Self {
+        let [.., sky] = frame.backdrop[number];
+        Self { colour: paint(simd, frame, number), sky: all(simd, sky) }
+    }
+
+    #[inline(always)]
+    fn mix(first: Self, second: Self, share: F<S>) -> Self {
+        let sky = first.sky * (1.0 - share) + second.sky * share;
+        Self { colour: V3::mix(first.colour, second.colour, share), sky }
+    }
+
+    #[inline(always)]
+    fn select(holds: Mask<S>, value: Self, other: Self) -> Self {
+        let sky = select(holds, value.sky, other.sky);
+        Self { colour: V3::select(holds, value.colour, other.colour), sky }
+    }
+}
+
 /// Linear sRGB of the background along these lines of sight, of which no more than this part is seen.
 #[inline(always)]
 pub fn behind<S: Simd>(simd: S, frame: &FrameUniform, part: BackdropPart, sight: PixelSight<S>) -> V3<S> {
     let sight = StreetLines::new(simd, frame, sight);
     let nearness = 1.0 - (sight.n.z.abs() * SKY_RISE as f32).min(1.0);
-    let sky = V3::mix(paint(simd, frame, 1), paint(simd, frame, 0), nearness * nearness);
-    let mut colour = sky;
+    let sky = AtRest::mix(AtRest::of(simd, frame, 1), AtRest::of(simd, frame, 0), nearness * nearness);
+    let mut at_rest = sky;
     if part.has_ground() {
         let falls = sight.n.z.simd_lt(LEAST_FALL);
         if falls.any_true() {
-            colour = V3::select(falls, ground_colour(simd, frame, part, sky, sight), sky);
+            at_rest = AtRest::select(falls, ground(simd, frame, part, sky, sight), sky);
         }
     }
     if part.has_fronts() {
         let meets = sight.n.y.simd_gt(LEAST_TOWARDS_FRONTS as f32);
         if meets.any_true() {
-            colour = V3::select(meets, with_fronts(frame, part, colour, sky, sight), colour);
+            at_rest = AtRest::select(meets, with_fronts(frame, part, at_rest, sky, sight), at_rest);
         }
     }
     match frame.street() {
-        StreetVariant::Daylit | StreetVariant::FalseColours => received(frame, colour, sight.doppler),
-        StreetVariant::AtRest | StreetVariant::Contracted | StreetVariant::Painted => colour,
+        StreetVariant::Daylit | StreetVariant::FalseColours => received(frame, at_rest, sight.doppler),
+        StreetVariant::AtRest | StreetVariant::Contracted | StreetVariant::Painted => at_rest.colour,
     }
 }
 
-/// Returns what is received of this paint, as `received_from_street` of the shader.
+/// Returns what is received of this, as `received_from_street` of the shader.
 #[inline(always)]
-fn received<S: Simd>(frame: &FrameUniform, painted: V3<S>, doppler: F<S>) -> V3<S> {
+fn received<S: Simd>(frame: &FrameUniform, at_rest: AtRest<S>, doppler: F<S>) -> V3<S> {
     let tables = Tables::shared();
     let [shift, level, exponent, exposure] = frame.street_light;
     let octaves = log2(doppler);
-    let light = untoned(painted);
+    let untoning = untoning(at_rest.colour);
+    let light = at_rest.colour * untoning;
     let (light, brightness) = if frame.street() == StreetVariant::Daylit {
         let place = octaves * (shift * tables.sunlit_per_octave) + tables.sunlit_at_rest;
-        tables.smooth(DAYLIT_ROW, light, place)
+        let (paint, level) = tables.smooth(DAYLIT_ROW, light, place);
+        let has_sky = at_rest.sky.simd_gt(0.0).any_true();
+        let beside = |sky: F<S>| tables.looked_up(Row::Sky.number(), place).0 * (sky * untoning);
+        (if has_sky { paint + beside(at_rest.sky) } else { paint }, level)
     } else {
         let place = octaves * (shift * tables.map_per_octave) + tables.map_middle;
         let (tint, level) = tables.looked_up(FALSE_ROW, place);
@@ -185,10 +220,11 @@ fn paint<S: Simd>(simd: S, frame: &FrameUniform, number: usize) -> V3<S> {
     V3::of_four(simd, frame.backdrop[number])
 }
 
-/// Returns the colour that is seen at a distance of a surface of this colour.
+/// Returns what is seen at a distance of a surface of this colour.
 #[inline(always)]
-fn hazy<S: Simd>(part: BackdropPart, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S> {
-    V3::mix(sky, colour, 1.0 / (1.0 + distance * distance * part.haze() as f32))
+fn hazy<S: Simd>(part: BackdropPart, sky: AtRest<S>, colour: V3<S>, distance: F<S>) -> AtRest<S> {
+    let painted = AtRest { colour, sky: all(distance.simd, 0.0) };
+    AtRest::mix(sky, painted, 1.0 / (1.0 + distance * distance * part.haze() as f32))
 }
 
 /// Width and height of a pixel on a plane: its two axes' parts of the line of sight, per part across the
@@ -218,16 +254,16 @@ fn size_along<S: Simd>(axis: usize, across: usize, right: [F<S>; 3], down: [F<S>
 }
 
 #[inline(always)]
-fn ground_colour<S: Simd>(
+fn ground<S: Simd>(
     simd: S,
     frame: &FrameUniform,
     part: BackdropPart,
-    sky: V3<S>,
+    sky: AtRest<S>,
     sight: StreetLines<S>,
-) -> V3<S> {
-    let [camera_x, camera_y, ground, _] = frame.ground;
+) -> AtRest<S> {
+    let [camera_x, camera_y, height, _] = frame.ground;
     let per_fall = 1.0 / sight.n.z;
-    let distance = per_fall * ground;
+    let distance = per_fall * height;
     let from_camera = V2::new(sight.n.x * distance, sight.n.y * distance);
     let foot = V2::new(from_camera.x + camera_x, from_camera.y + camera_y);
     let slope = V2::new(sight.n.x * per_fall, sight.n.y * per_fall);
@@ -292,10 +328,10 @@ fn marks_cover<S: Simd>(
 fn with_fronts<S: Simd>(
     frame: &FrameUniform,
     part: BackdropPart,
-    without: V3<S>,
-    sky: V3<S>,
+    without: AtRest<S>,
+    sky: AtRest<S>,
     sight: StreetLines<S>,
-) -> V3<S> {
+) -> AtRest<S> {
     let [camera_x, _, ground, _] = frame.ground;
     let per_towards = 1.0 / sight.n.y;
     let distance = per_towards * frame.road[2];
@@ -303,7 +339,7 @@ fn with_fronts<S: Simd>(
     let slope = V2::new(sight.n.x * per_towards, sight.n.z * per_towards);
     let size = pixel_on(frame, &sight, [0, 2], 1, slope, sight.scale * distance);
     let seen = front(frame, place, size);
-    V3::mix(without, hazy(part, sky, seen.colour, distance * sight.haze_share), seen.cover)
+    AtRest::mix(without, hazy(part, sky, seen.colour, distance * sight.haze_share), seen.cover)
 }
 
 #[cfg(test)]
