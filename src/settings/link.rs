@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use gamow_platform::messages;
+use gamow_platform::{files, messages};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 
 use super::all::Settings;
@@ -56,12 +56,18 @@ impl Settings {
     /// # Errors
     /// As of [`Self::link`].
     pub fn link_pairs(&self) -> Result<String, String> {
-        if Scene::preset(&self.scene).is_none() {
-            return Err(format!(
-                "The scene is in a file, {}, which a link cannot carry: save the state beside it and send both.",
-                messages::excerpt(&self.scene)
-            ));
+        if Scene::preset(&self.scene).is_some() {
+            return Ok(self.pairs());
         }
+        Err(format!(
+            "The scene is in a file, {}, which a link cannot carry: save the state beside it and send both.",
+            messages::excerpt(&self.scene)
+        ))
+    }
+
+    /// Returns the same for where the scene's file is, too, such as a page's address.
+    #[must_use]
+    pub fn pairs(&self) -> String {
         let default = Self::default().entries();
         let told = |entry: &SettingEntry| {
             !OF_THE_VIEWER.contains(&entry.section.as_str()) && !default.contains(entry)
@@ -69,7 +75,7 @@ impl Settings {
         let pairs = self.entries().into_iter().filter(told);
         let pairs = pairs
             .map(|SettingEntry { key, text, .. }| format!("{key}={}", utf8_percent_encode(&text, ESCAPED)));
-        Ok(pairs.collect::<Vec<_>>().join("&"))
+        pairs.collect::<Vec<_>>().join("&")
     }
 
     /// Returns these settings, overridden by those in `link` that belong to what is shown. Others are checked
@@ -77,7 +83,7 @@ impl Settings {
     ///
     /// # Errors
     /// One line: a setting that does not exist, a value that it cannot have, or a scene that does not come
-    /// with the program.
+    /// with the program, but one that the user of a page gave it.
     pub(super) fn with_link(mut self, link: &str) -> Result<Self, SettingsError> {
         let wrong = |problem: String| SettingsError::Content { place: "the link".to_owned(), problem };
         let link = link.trim();
@@ -98,11 +104,16 @@ impl Settings {
         let flags = flags.collect::<Result<Vec<_>, _>>()?;
         let viewer = self.clone();
         self.set(flags).map_err(|problem| problem.at("the link".to_owned()))?;
-        if Scene::preset(&self.scene).is_none() {
+        // A page has no files but those that its user gave it.
+        let is_given = !files::HAS_FOLDERS && files::is_file(Path::new(&self.scene));
+        if Scene::preset(&self.scene).is_none() && !is_given {
             let scene = messages::excerpt(&self.scene);
-            return Err(wrong(format!(
-                "{SCENE} = {scene}: a link names a scene that comes with the program"
-            )));
+            let what = if files::HAS_FOLDERS {
+                "a link names a scene that comes with the program"
+            } else {
+                "that file is not here, since its browser has not kept it, or it is another's: open it again (File, Open)"
+            };
+            return Err(wrong(format!("{SCENE} = {scene}: {what}")));
         }
         Ok(self.as_seen_by(&viewer))
     }

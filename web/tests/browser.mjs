@@ -136,6 +136,11 @@ export class Window {
         return new URLSearchParams(hash.slice(1));
     }
 
+    // Whether the window says this to a screen reader.
+    says(sentence) {
+        return this.page.evaluate(sentence => document.getElementById('mirror').textContent.includes(sentence), sentence);
+    }
+
     // What is kept under this name, for the page in the root folder of its server.
     stored(name) {
         return this.page.evaluate(name => localStorage.getItem(`/:${name}`), name);

@@ -443,6 +443,29 @@ test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6
     await window.act('save the state');
     await window.press('Enter');
     assert.match((await window.download()).bytes.toString(), /scene = "mine.toml"/);
+    // The address names it, and the browser has kept it.
+    await eventually('the scene in the address', async () => (await window.settings()).get('scene') === 'mine.toml');
+    await window.page.reload();
+    await window.shown();
+    assert.equal(await window.says('is not here'), false);
+    await window.act('save the state');
+    await window.press('Enter');
+    const { bytes: after } = await window.download();
+    assert.match(after.toString(), /scene = "mine.toml"/);
+    assert.match(after.toString(), /beta = 0.6/);
+    await window.page.evaluate(() => localStorage.clear());
+    await window.page.reload();
+    await window.shown();
+    await eventually('what is missing', () => window.says('that file is not here'));
+}));
+
+// Lesson rods, pupil Ada, one question that was not answered: base64url of version, postcard and CRC-32.
+const ANSWERS = 'AQRyb2RzA0FkYQEA8HWjrw';
+
+test('a link with answers is read, and a damaged one is refused', () => inWindow(`#answers=${ANSWERS}`, async window => {
+    await eventually('whose answers', () => window.says('Ada'));
+    await window.page.evaluate(token => { location.hash = `answers=${token}`; }, ANSWERS.replace('A', 'B'));
+    await eventually('a damaged link', () => window.says('this link is damaged'));
 }));
 
 test('own data are there after a reload, and a page that has lost them says so and asks for them', () => inWindow('#scene=globe&beta=0.5&plot=fit&refine=off', async window => {
@@ -450,17 +473,16 @@ test('own data are there after a reload, and a page that has lost them says so a
     await window.drop('my data.csv', ['T,d,dphi,dtheta', ...Array.from({ length: 60 }, line)].join('\n'));
     const isNamed = async () => (await window.settings()).get('data') === 'my data.csv';
     await eventually('the name of the table in the address', isNamed);
-    const says = sentence => window.page.evaluate(sentence => document.getElementById('mirror').textContent.includes(sentence), sentence);
-    assert.ok(await eventually('the table in the window', () => says('my data.csv')));
-    assert.ok(!await says('is not here'));
+    assert.ok(await eventually('the table in the window', () => window.says('my data.csv')));
+    assert.ok(!await window.says('is not here'));
     await window.page.reload();
     await window.shown();
-    await eventually('the table that was kept', () => says('my data.csv is fitted as this browser has kept it'));
+    await eventually('the table that was kept', () => window.says('my data.csv is fitted as this browser has kept it'));
     assert.ok(await isNamed());
     await window.page.evaluate(() => localStorage.clear());
     await window.page.reload();
     await window.shown();
-    await eventually('what is missing', () => says('my data.csv is not here'));
+    await eventually('what is missing', () => window.says('my data.csv is not here'));
 }));
 
 // The text that a PNG keeps under this name.

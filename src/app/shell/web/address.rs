@@ -53,13 +53,14 @@ impl Fragment {
         fragment
     }
 
-    /// Returns the fragment of what `state` shows; `None` for what an address cannot carry, such as a file.
+    /// Returns the fragment of what `state` shows; `None` for a lesson in a file. Files are named: they are
+    /// the browser's to keep.
     pub fn from_state(state: &State) -> Option<Self> {
         let lesson = match state.course() {
             Some(course) if course.lesson().path.is_some() => return None,
             course => course.map(|course| course.lesson().name.clone()),
         };
-        let pairs = if lesson.is_some() { String::new() } else { state.shown().link_pairs().ok()? };
+        let pairs = if lesson.is_some() { String::new() } else { state.shown().pairs() };
         let stage = &state.session.stage;
         let start = is_start_page(state);
         let data = fitted_table(state).map(str::to_owned);
