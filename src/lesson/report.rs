@@ -1,7 +1,7 @@
 //! The report of a lesson, as a page to keep or to print.
 
 use super::answer::{Answer, Outcome, Record};
-use super::class::{KEY, PupilAnswers, QrCode};
+use super::class::{PupilAnswers, QrCode, link_pair};
 use super::course::Course;
 use super::plan::{AnswerKind, Choices, CurveAnswer, Prediction, Step};
 use super::truth::Sight;
@@ -53,7 +53,7 @@ fn handed_in(page: &mut HtmlPage, course: &Course, name: &str) {
     if course.lesson().is_a_preset() || !answers.has_any() {
         return;
     }
-    let link = link_of_pairs(&format!("{KEY}={}", answers.token()));
+    let link = link_of_pairs(&link_pair(&answers.token()));
     let code = QrCode::new(&link).map(|code| code.svg("QR code of the link", MODULE)).unwrap_or_default();
     page.html(&format!(
         "<div class=\"question\">\n<h2>Hand in</h2>\n<p>These answers as a link, for the class\u{2019}s page:</p>\n\

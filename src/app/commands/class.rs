@@ -10,7 +10,7 @@ use crate::app::state::State;
 use crate::app::state::class::ClassCommand;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
-use crate::lesson::class::{Collected, KEY, MOST_NAME_LETTERS, PupilAnswers, right_of};
+use crate::lesson::class::{Collected, KEY, MOST_NAME_LETTERS, PupilAnswers, link_pair, right_of};
 use crate::lesson::{Course, Lesson};
 use crate::settings::{is_link, link_of_pairs};
 
@@ -40,7 +40,7 @@ impl State {
             Ok(answers) => answers,
             Err(problem) => return self.tell(Notice::error(format!("No answers: {problem}."))),
         };
-        let link = link_of_pairs(&format!("{KEY}={token}"));
+        let link = link_of_pairs(&link_pair(token));
         let text = &self.session.class.text;
         if !text.contains(token) {
             let end = if text.is_empty() || text.ends_with('\n') { "" } else { "\n" };
@@ -90,7 +90,7 @@ impl State {
     pub(in crate::app) fn own_answers(&self) -> Option<String> {
         let course = self.course().filter(|course| !course.lesson().is_a_preset())?;
         let answers = PupilAnswers::new(course.lesson(), course.records(), &self.session.class.name);
-        answers.has_any().then(|| format!("{KEY}={}", answers.token()))
+        answers.has_any().then(|| link_pair(&answers.token()))
     }
 }
 

@@ -51,9 +51,9 @@ impl State {
     /// Performs a command about files.
     pub(super) fn perform_file(&mut self, command: FileCommand) {
         match command {
-            FileCommand::Open(path) if answers_in(&path).is_some() => {
+            FileCommand::Open(ref path) if let Some(token) = answers_in(path) => {
                 self.scratch.chooser = None;
-                self.follow_answers(answers_in(&path).unwrap_or_default());
+                self.follow_answers(token);
             }
             FileCommand::Open(_) | FileCommand::OpenData(_) | FileCommand::Reload(_) => {
                 self.read_and_show(&command);

@@ -18,4 +18,4 @@ pub use collected::{Collected, Unread};
 pub use page::{page, right_of};
 pub use pupil::{MOST_NAME_LETTERS, PupilAnswers, pupils_name};
 pub use qr_code::QrCode;
-pub use token::{KEY, TokenError};
+pub use token::{KEY, TokenError, link_pair};

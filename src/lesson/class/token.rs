@@ -17,6 +17,12 @@ use crate::lesson::answer::{Answer, Confidence, Outcome, Record};
 /// The word before a token in a link: `gamow:?answers=TOKEN`.
 pub const KEY: &str = "answers";
 
+/// Returns the part of a link with this token.
+#[must_use]
+pub fn link_pair(token: &str) -> String {
+    format!("{KEY}={token}")
+}
+
 /// Version of the form, the first byte.
 const VERSION: u8 = 1;
 /// Length of the checksum, bytes.

@@ -38,11 +38,11 @@ pub fn take_in(path: &Path, bytes: Vec<u8>) {
 fn keep(path: &Path, bytes: &[u8]) {
     let (name, text) = (own_name(path), STANDARD.encode(bytes));
     storage::remove(&name);
-    let others: Vec<String> = storage::names().into_iter().filter(|name| name.starts_with(OWN)).collect();
-    let taken: usize = others.iter().filter_map(|name| storage::read(name)).map(|text| text.len()).sum();
     if text.len() > MOST_OWN {
         return;
     }
+    let others: Vec<String> = storage::names().into_iter().filter(|name| name.starts_with(OWN)).collect();
+    let taken: usize = others.iter().filter_map(|name| storage::read(name)).map(|text| text.len()).sum();
     if taken + text.len() > MOST_OWN {
         others.iter().for_each(|name| storage::remove(name));
     }

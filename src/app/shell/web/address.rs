@@ -9,7 +9,7 @@ use percent_encoding::{NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode
 use crate::app::state::State;
 use crate::app::state::notice::Notice;
 use crate::app::state::overlay::Overlay;
-use crate::lesson::class::KEY;
+use crate::lesson::class::{KEY, link_pair};
 use crate::settings::{Settings, link_of_pairs};
 
 /// The fragment of an address.
@@ -84,7 +84,7 @@ impl Fragment {
         let data =
             self.data.as_ref().map(|name| format!("data={}", utf8_percent_encode(name, NON_ALPHANUMERIC)));
         let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
-        let answers = self.answers.as_ref().map(|token| format!("{KEY}={token}"));
+        let answers = self.answers.as_deref().map(link_pair);
         let parts = lesson
             .into_iter()
             .chain(presents)
@@ -121,7 +121,7 @@ impl Fragment {
 
     /// Returns the link with a pupil's answers, if it has some.
     pub fn link_with_answers(&self) -> Option<PathBuf> {
-        self.answers.as_ref().map(|token| PathBuf::from(link_of_pairs(&format!("{KEY}={token}"))))
+        self.answers.as_ref().map(|token| PathBuf::from(link_of_pairs(&link_pair(token))))
     }
 
     /// Returns the settings that it leads to, and a message if there is something wrong with it. What it does
