@@ -2,6 +2,7 @@
 
 use std::io::{self, Write as _};
 use std::process::ExitCode;
+use std::time::Instant;
 
 use gamow_platform::{environment, interrupt, limits, messages};
 
@@ -10,12 +11,14 @@ use gamow::cli;
 fn main() -> ExitCode {
     limits::fail_beyond_file_size();
     interrupt::handle();
+    let start = Instant::now();
     // The graphics libraries log as errors what they then get over, or what is reported below.
     let quiet = env_logger::Env::default().default_filter_or("error,eframe=off,wgpu_hal=off,rfd=off");
     env_logger::Builder::from_env(quiet)
-        .format(|out, record| {
-            let (time, level, text) = (out.timestamp_millis(), record.level(), record.args().to_string());
-            writeln!(out, "[{time} {level} {}] {}", record.target(), messages::shown(&text))
+        .format(move |out, record| {
+            let (after, text) = (start.elapsed().as_secs_f64(), record.args().to_string());
+            let (level, target) = (record.level(), record.target());
+            writeln!(out, "[{after:.3} s {level} {target}] {}", messages::shown(&text))
         })
         .init();
     match cli::run(environment::arguments().collect()) {
