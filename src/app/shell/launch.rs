@@ -6,7 +6,7 @@ use eframe::egui::{ViewportBuilder, ViewportCommand};
 use eframe::{CreationContext, NativeOptions};
 use gamow_platform::clock::Instant;
 use gamow_platform::last_word::LastWord;
-use gamow_platform::{environment, messages, motion, threads};
+use gamow_platform::{environment, messages, threads, wishes};
 use relativity_render::colour::{self, planck, sunlit};
 
 use crate::app::shell::args::WindowArgs;
@@ -154,7 +154,7 @@ fn open(
         let app = app.preparing_in_background(&cc.egui_ctx).kept_by(keeper);
         Ok(Box::new(RecoverableApp::new(app, state_slot)) as Box<dyn eframe::App>)
     };
-    motion::ask();
+    wishes::ask();
     recovery::guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
 }
 

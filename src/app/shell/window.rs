@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
-use gamow_platform::motion;
+use gamow_platform::wishes;
 
 use crate::app::commands::{Command, FileCommand, ShowCommand, actions};
 use crate::app::panels;
@@ -66,7 +66,8 @@ impl App {
         widgets::name_window(&ctx, TITLE);
         let window = self.state.document.settings.window;
         ctx.set_theme(theme::preference(window.theme));
-        theme::set_animations(&ctx, window.animations && !motion::is_reduced());
+        theme::set_animations(&ctx, window.animations && !wishes::less_motion());
+        theme::set_contrast(&ctx, wishes::more_contrast());
         let mut commands = self.next_asked(&ctx);
         if self.shows_start() {
             commands.retain(panels::start::lets_through);

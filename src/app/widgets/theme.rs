@@ -137,6 +137,19 @@ pub fn set_animations(ctx: &egui::Context, is_on: bool) {
     }
 }
 
+/// Has all writing stand out, and all edges seen, or each as much as is usual.
+pub fn set_contrast(ctx: &egui::Context, is_strong: bool) {
+    let edge = ctx.global_style().visuals.widgets.inactive.bg_stroke;
+    if is_strong != (edge != Stroke::NONE) {
+        ctx.all_styles_mut(|style| {
+            palette(&mut style.visuals);
+            if is_strong {
+                strengthen(&mut style.visuals);
+            }
+        });
+    }
+}
+
 /// Makes all writing of this `style` as large as suits most writing of this `size`, points.
 pub fn set_body_size(style: &mut egui::Style, size: f32) {
     let size = |points: f32, family| FontId::new(size / BODY_SIZE * points, family);
@@ -206,11 +219,26 @@ fn palette(visuals: &mut Visuals) {
     still.fg_stroke.color = colour([0xC4, 0xC9, 0xD4], [0x33, 0x38, 0x42]);
     still.bg_stroke = Stroke::new(1.0, colour([0x2D, 0x32, 0x3C], [0xD5, 0xD9, 0xE0]));
     let inactive = &mut visuals.widgets.inactive;
+    inactive.bg_stroke = Stroke::NONE;
     inactive.weak_bg_fill = colour([0x2A, 0x2F, 0x39], [0xE3, 0xE6, 0xEC]);
     inactive.bg_fill = colour([0x33, 0x39, 0x45], [0xD3, 0xD8, 0xE1]);
     inactive.fg_stroke.color = colour([0xD6, 0xDA, 0xE3], [0x2B, 0x30, 0x3A]);
     visuals.selection.bg_fill = colour([0x2F, 0x5D, 0x8C], [0xB9, 0xD8, 0xF2]);
     visuals.selection.stroke.color = colour([0xFF, 0xFF, 0xFF], [0x08, 0x2F, 0x52]);
+}
+
+/// Black and white in place of what lies near them, and an edge around each control.
+fn strengthen(visuals: &mut Visuals) {
+    let colour = |dark, light| either(visuals.dark_mode, [[dark; 3], [light; 3]]);
+    let [ground, ink] = [colour(0x00, 0xFF), colour(0xFF, 0x00)];
+    let edge = Stroke::new(1.0, colour(0xA0, 0x5A));
+    visuals.weak_text_color = Some(colour(0xD0, 0x38));
+    [visuals.panel_fill, visuals.window_fill, visuals.extreme_bg_color] = [ground; 3];
+    visuals.window_stroke = edge;
+    let widgets = &mut visuals.widgets;
+    for widget in [&mut widgets.noninteractive, &mut widgets.inactive] {
+        (widget.fg_stroke.color, widget.bg_stroke) = (ink, edge);
+    }
 }
 
 #[cfg(test)]
@@ -234,6 +262,29 @@ mod tests {
     fn the_contrast_of_black_and_white_is_21() {
         assert!((contrast(Color32::BLACK, Color32::WHITE) - 21.0).abs() < 1e-9);
         assert!((contrast(Color32::from_gray(0x77), Color32::WHITE) - 4.48).abs() < 0.01);
+    }
+
+    /// Where more contrast is wished, text has that of level AAA, and controls the edge of level AA.
+    #[test]
+    fn more_contrast_is_seen_and_goes_again() {
+        let ctx = egui::Context::default();
+        install(&ctx);
+        let themes =
+            || [egui::Theme::Dark, egui::Theme::Light].map(|theme| ctx.style_of(theme).visuals.clone());
+        let usual = themes();
+        set_contrast(&ctx, true);
+        for visuals in themes() {
+            let inactive = &visuals.widgets.inactive;
+            for ground in [visuals.panel_fill, visuals.window_fill, visuals.extreme_bg_color] {
+                for text in [visuals.text_color(), visuals.weak_text_color(), inactive.fg_stroke.color] {
+                    assert!(contrast(text, ground) >= 7.0, "{text:?} on {ground:?}");
+                }
+                assert!(contrast(inactive.bg_stroke.color, ground) >= 3.0, "{ground:?}");
+            }
+        }
+        set_contrast(&ctx, false);
+        let undone = themes();
+        assert_eq!(undone.map(|visuals| visuals.widgets), usual.map(|visuals| visuals.widgets));
     }
 
     #[test]

@@ -148,10 +148,16 @@ pub fn screen_sides() -> Option<[f32; 2]> {
     (width >= 1.0 && height >= 1.0).then_some([width.max(height), width.min(height)])
 }
 
-/// Whether the system asks for less motion.
+/// Whether the system's user wants less motion.
 #[must_use]
-pub fn is_motion_reduced() -> bool {
+pub fn less_motion() -> bool {
     has_media("(prefers-reduced-motion: reduce)")
+}
+
+/// Whether the system's user wants more contrast.
+#[must_use]
+pub fn more_contrast() -> bool {
+    has_media("(prefers-contrast: more)")
 }
 
 /// Whether the main way to point is coarse, such as a finger.
