@@ -141,6 +141,12 @@ export class Window {
         return this.page.evaluate(sentence => document.getElementById('mirror').textContent.includes(sentence), sentence);
     }
 
+    // Waits until the window has an element of this name.
+    async has(name) {
+        const isThere = name => document.querySelector(`#mirror [aria-label="${name}"]`) !== null;
+        await eventually(name, () => this.page.evaluate(isThere, name));
+    }
+
     // What is kept under this name, for the page in the root folder of its server.
     stored(name) {
         return this.page.evaluate(name => localStorage.getItem(`/:${name}`), name);
@@ -165,11 +171,24 @@ export class Window {
     // Asks for an action by its name, in the palette of commands.
     async act(name) {
         await this.press('Control', 'p');
-        await this.rest(700);
+        await this.has('Command');
         await this.page.keyboard.type(name, { delay: 30 });
         await this.rest(500);
         await this.press('Enter');
         await this.rest(500);
+    }
+
+    // Saves what this action does, under the proposed name or as `typed`, and returns the download.
+    async saved(action, typed = '') {
+        await this.act(action);
+        await this.has('Path');
+        if (typed) {
+            await this.press('Control', 'a');
+            await this.page.keyboard.type(typed);
+            await this.rest(500);
+        }
+        await this.press('Enter');
+        return await this.download();
     }
 
     async click(x, y) {

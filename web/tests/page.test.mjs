@@ -149,9 +149,7 @@ test('keys walk, each its own way', () => inWindow('#scene=street&refine=off', a
 
 test('the numbers of a curve are those of the desktop, digit by digit', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
     return inWindow('#scene=cube&beta=0.9&point=0,6,0.5', async window => {
-        await window.act('save the plots as a table');
-        await window.press('Enter');
-        const { name, bytes } = await window.download();
+        const { name, bytes } = await window.saved('save the plots as a table');
         assert.match(name, /\.csv$/);
         const rows = table(bytes.toString());
         assert.ok(rows.length > 50, `${rows.length} rows`);
@@ -384,6 +382,20 @@ test('a text that the browser does not copy is shown selected', async () => {
     await window.close();
 });
 
+test('a finger shares a link by the system, which says whether it has a sheet for that', async () => {
+    const phone = () => {
+        const matches = globalThis.matchMedia;
+        globalThis.matchMedia = query => (query === '(pointer: coarse)' ? { matches: true } : matches.call(globalThis, query));
+        navigator.share = async ({ url }) => { globalThis.shared = url; };
+    };
+    const window = await Window.open(browser, server.address, '#scene=rods&beta=0.7&refine=off', phone);
+    await window.act('copy a link');
+    const shared = await eventually('the shared link', () => window.page.evaluate(() => globalThis.shared));
+    assert.match(shared, /#.*beta=0.7/);
+    assert.ok(await window.page.evaluate(() => document.getElementById('copy').hidden));
+    await window.close();
+});
+
 test('while the page loads it asks the first question, and shows how much has come', async () => {
     const page = await browser.newPage();
     await page.evaluateOnNewDocument(() => {
@@ -433,26 +445,19 @@ test('a scene is dropped, and a wrong one is refused', () => inWindow('#beta=0.6
     await window.press('Escape');
     const ball = '[[object]]\nshape = "sphere"\ncentre = [0, 3, 1]\nradius = 0.5\n';
     await window.drop('mine.toml', `name = "Mine"\n${ball}`);
-    await window.rest(2500);
-    await window.act('save the state');
-    await window.press('Enter');
-    const { bytes } = await window.download();
-    assert.match(bytes.toString(), /scene = "mine.toml"/);
+    const isNamed = async () => (await window.settings()).get('scene') === 'mine.toml';
+    await eventually('the scene in the address', isNamed);
+    assert.match((await window.saved('save the state')).bytes.toString(), /scene = "mine.toml"/);
     await window.drop('wrong.toml', 'name = "Wrong"\n');
-    await window.rest(1500);
-    await window.act('save the state');
-    await window.press('Enter');
-    assert.match((await window.download()).bytes.toString(), /scene = "mine.toml"/);
-    // The address names it, and the browser has kept it.
-    await eventually('the scene in the address', async () => (await window.settings()).get('scene') === 'mine.toml');
+    await eventually('what is wrong', () => window.says('wrong.toml'));
+    assert.match((await window.saved('save the state')).bytes.toString(), /scene = "mine.toml"/);
+    // The browser has kept the file.
+    assert.ok(await isNamed());
     await window.page.reload();
     await window.shown();
-    assert.equal(await window.says('is not here'), false);
-    await window.act('save the state');
-    await window.press('Enter');
-    const { bytes: after } = await window.download();
-    assert.match(after.toString(), /scene = "mine.toml"/);
-    assert.match(after.toString(), /beta = 0.6/);
+    const state = (await window.saved('save the state')).bytes.toString();
+    assert.match(state, /scene = "mine.toml"/);
+    assert.match(state, /beta = 0.6/);
     await window.page.evaluate(() => localStorage.clear());
     await window.page.reload();
     await window.shown();
@@ -499,7 +504,7 @@ const textInPng = (bytes, name) => {
 test('a saved picture is that of the desktop, byte for byte', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
     return inWindow('#scene=rods&beta=0.7&renderer=reference', async window => {
         await window.press('Control', 's');
-        await window.rest(700);
+        await window.has('Path');
         await window.press('Enter');
         const { name, bytes } = await window.download();
         assert.equal(name, 'rods.png');
@@ -541,9 +546,7 @@ test("a fit, the figures of accuracy, a saved worksheet and a model are made bes
             await window.press('Escape');
             await window.drop('hills.obj', hills());
             await eventually('a scene', async () => await window.answers() >= 1);
-            await window.act('save the state');
-            await window.press('Enter');
-            assert.match((await window.download()).bytes.toString(), /scene = "hills.obj"/);
+            assert.match((await window.saved('save the state')).bytes.toString(), /scene = "hills.obj"/);
         }],
         ['a fit', '#scene=globe&beta=0.5&plot=fit&refine=off', async window => {
             await eventually('a fit', async () => await window.answers() >= 1);
@@ -554,9 +557,7 @@ test("a fit, the figures of accuracy, a saved worksheet and a model are made bes
             await eventually('two methods', async () => await window.answers() >= 2);
         }],
         ['a worksheet', '#lesson=rods', async window => {
-            await window.act('save the worksheet');
-            await window.press('Enter');
-            const { name, bytes } = await window.download();
+            const { name, bytes } = await window.saved('save the worksheet');
             assert.match(name, /worksheet\.html$/);
             assert.match(bytes.toString(), /<html/);
         }],
@@ -579,10 +580,7 @@ test('a film is stopped at once, and another file is saved', () => inWindow('#sc
     const before = window.page.workers().length;
     await window.click(...STOP);
     await eventually('a worker less', () => window.page.workers().length === before - 1);
-    await window.press('Control', 's');
-    await window.rest(700);
-    await window.press('Enter');
-    assert.equal((await window.download()).name, 'rods.png');
+    assert.equal((await window.saved('save the picture')).name, 'rods.png');
 }));
 
 test('curves and a film are downloaded, and a link is copied that opens the same', () => inWindow('#scene=rods&beta=0.7&refine=off', async window => {
@@ -595,15 +593,7 @@ test('curves and a film are downloaded, and a link is copied that opens the same
         ['film of 10 s', 'rods.mp4', /^rods\.mp4$/, /^....ftyp/s],
     ];
     for (const [action, typed, name, begin] of files) {
-        await window.act(action);
-        if (typed) {
-            await window.rest(500);
-            await window.press('Control', 'a');
-            await page.keyboard.type(typed);
-            await window.rest(500);
-        }
-        await window.press('Enter');
-        const file = await window.download();
+        const file = await window.saved(action, typed);
         assert.match(file.name, name);
         assert.match(file.bytes.toString('latin1'), begin);
     }

@@ -12,7 +12,7 @@ use crate::app::state::class::ClassCommand;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::orders::Copied;
 use crate::app::state::overlay::Overlay;
-use crate::app::tools::page_link::link_to;
+use crate::app::tools::page_link::{self, link_to};
 use crate::app::widgets::{focus, qr_code, theme};
 use crate::caption::capitalised;
 use crate::lesson::Lesson;
@@ -109,7 +109,7 @@ fn own(ui: &mut Ui, state: &State, commands: &mut Commands) {
     });
     ui.add_space(theme::GAP);
     ui.horizontal(|ui| {
-        if ui.button(RichText::new("Copy link").strong()).clicked() {
+        if ui.button(RichText::new(page_link::copying()).strong()).clicked() {
             commands.push(FileCommand::Copy(Copied::Answers).into());
         }
         let mut shown = link.as_str();

@@ -209,7 +209,8 @@ impl App {
                     Copied::Answers => "the link with your answers".to_owned(),
                     _ => text.clone(),
                 };
-                self.copy_text(ctx, text, Notice::done(format!("Copied: {shown}")));
+                let is_link = matches!(copied, Copied::Link | Copied::Answers);
+                self.copy_text(ctx, text, is_link, Notice::done(format!("Copied: {shown}")));
             }
             Err(problem) => self.tell(ctx, Notice::error(problem)),
         }
@@ -217,14 +218,14 @@ impl App {
 
     /// Copies `text`, and shows the `notice` once that is done.
     #[cfg(feature = "desktop")]
-    fn copy_text(&mut self, ctx: &Context, text: String, notice: Notice) {
+    fn copy_text(&mut self, ctx: &Context, text: String, _is_link: bool, notice: Notice) {
         ctx.copy_text(text);
         self.tell(ctx, notice);
     }
 
-    /// Has the browser copy `text`, and shows the `notice` once that is done.
+    /// Has the browser copy `text`, and shows the `notice` once that is done; on a phone a link is shared.
     #[cfg(not(feature = "desktop"))]
-    fn copy_text(&mut self, ctx: &Context, text: String, notice: Notice) {
-        self.copying = Some(Copying::begin(ctx, text, notice));
+    fn copy_text(&mut self, ctx: &Context, text: String, is_link: bool, notice: Notice) {
+        self.copying = Some(Copying::begin(ctx, text, is_link, notice));
     }
 }

@@ -1,9 +1,10 @@
 //! The page: its canvas, its address, and its words for when the program cannot go on.
 
+use js_sys::Reflect;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{Element, Event, History, HtmlCanvasElement, Storage, Window};
+use web_sys::{Element, Event, History, HtmlCanvasElement, ShareData, Storage, Window};
 
 /// Name under which a tab keeps why WebGPU has failed in it.
 const WEBGPU_FAILURE: &str = "gamow/webgpu-failure";
@@ -98,6 +99,26 @@ pub async fn copy_text(text: &str) -> bool {
     // Elsewhere there is no clipboard at all.
     let Some(window) = window().filter(Window::is_secure_context) else { return false };
     JsFuture::from(window.navigator().clipboard().write_text(text)).await.is_ok()
+}
+
+/// Whether links are handed to the system's sheet for sharing: where it has one, and a finger to use it.
+#[must_use]
+pub fn shares_links() -> bool {
+    let has_sheet = window().is_some_and(|window| {
+        Reflect::has(&window.navigator(), &JsValue::from_str("share")).unwrap_or_default()
+    });
+    has_sheet && has_coarse_pointer()
+}
+
+/// Hands `link` to the system's sheet for sharing; returns whether it was shown, also if it was left then.
+pub async fn share(link: &str) -> bool {
+    let Some(window) = window() else { return false };
+    let data = ShareData::new();
+    data.set_url(link);
+    match JsFuture::from(window.navigator().share_with_data(&data)).await {
+        Ok(_) => true,
+        Err(error) => error.dyn_ref::<js_sys::Error>().is_some_and(|error| error.name() == "AbortError"),
+    }
 }
 
 /// Has the page show `text` over the window, selected, for the user to copy.

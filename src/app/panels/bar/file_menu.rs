@@ -9,6 +9,7 @@ use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::orders::Copied;
 use crate::app::state::overlay::Overlay;
+use crate::app::tools::page_link;
 use crate::scene::is_model;
 use crate::settings::PlotTab;
 
@@ -51,35 +52,37 @@ const SAVE: [MenuEntry; 13] = [
     ),
 ];
 
-const COPY: [MenuEntry; 6] = [
-    ("Copy picture", Command::File(FileCommand::Copy(Copied::Picture)), "Copies the views as they are."),
-    (
-        "Copy values",
-        Command::File(FileCommand::Copy(Copied::Values)),
-        "Copies what both eyes see of the selected point at T, for a spreadsheet.",
-    ),
-    (
-        "Copy link",
-        Command::File(FileCommand::Copy(Copied::Link)),
-        "Copies one line, gamow:?…, that holds everything shown. Open…, `gamow --state` and `gamow render \
+fn copy_entries() -> [MenuEntry; 6] {
+    [
+        ("Copy picture", Command::File(FileCommand::Copy(Copied::Picture)), "Copies the views as they are."),
+        (
+            "Copy values",
+            Command::File(FileCommand::Copy(Copied::Values)),
+            "Copies what both eyes see of the selected point at T, for a spreadsheet.",
+        ),
+        (
+            page_link::copying(),
+            Command::File(FileCommand::Copy(Copied::Link)),
+            "Copies one line, gamow:?…, that holds everything shown. Open…, `gamow --state` and `gamow render \
             --state` take it.",
-    ),
-    (
-        "Copy command",
-        Command::File(FileCommand::Copy(Copied::Command)),
-        "Copies the `gamow` command that opens this window.",
-    ),
-    (
-        "Copy render command",
-        Command::File(FileCommand::Copy(Copied::RenderCommand)),
-        "Copies the `gamow render` command that draws this picture.",
-    ),
-    (
-        "Copy curve command",
-        Command::File(FileCommand::Copy(Copied::CurveCommand)),
-        "Copies the `gamow curve` command that computes the selected point's curves.",
-    ),
-];
+        ),
+        (
+            "Copy command",
+            Command::File(FileCommand::Copy(Copied::Command)),
+            "Copies the `gamow` command that opens this window.",
+        ),
+        (
+            "Copy render command",
+            Command::File(FileCommand::Copy(Copied::RenderCommand)),
+            "Copies the `gamow render` command that draws this picture.",
+        ),
+        (
+            "Copy curve command",
+            Command::File(FileCommand::Copy(Copied::CurveCommand)),
+            "Copies the `gamow curve` command that computes the selected point's curves.",
+        ),
+    ]
+}
 
 const fn save(label: &'static str, product: Product) -> MenuEntry {
     (label, Command::File(FileCommand::Choose(Purpose::Save(product))), product.tip())
@@ -89,7 +92,7 @@ const fn save(label: &'static str, product: Product) -> MenuEntry {
 pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let menu = ui.menu_button("File", |ui| {
         ui.set_min_width(WIDTH);
-        for (number, entries) in [&OPEN[..], &SAVE, &COPY].into_iter().enumerate() {
+        for (number, entries) in [&OPEN[..], &SAVE, &copy_entries()].into_iter().enumerate() {
             if number > 0 {
                 ui.separator();
             }

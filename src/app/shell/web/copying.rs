@@ -1,4 +1,5 @@
-//! The copying of text in a page, and the message that appears once the browser confirms it.
+//! The copying of text in a page, and the message that appears once the browser confirms it; or the system's
+//! sheet for sharing a link, on a phone.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -15,11 +16,15 @@ pub struct Copying {
 }
 
 impl Copying {
-    /// Asks the browser to copy `text`. Where it refuses, the page shows the text, selected.
-    pub fn begin(ctx: &Context, text: String, notice: Notice) -> Self {
+    /// Asks the browser to copy `text`, or to share it if it is a link and there is a sheet for that. Where it
+    /// refuses, the page shows the text, selected.
+    pub fn begin(ctx: &Context, text: String, is_link: bool, notice: Notice) -> Self {
         let is_copied = Rc::new(Cell::new(false));
         let (copied, ctx) = (Rc::clone(&is_copied), ctx.clone());
         tasks::spawn(async move {
+            if is_link && page::shares_links() && page::share(&text).await {
+                return;
+            }
             if page::copy_text(&text).await {
                 copied.set(true);
                 ctx.request_repaint();
