@@ -87,6 +87,23 @@ fn exposure_is_found_once_for_a_scene_and_recorded_as_a_number() {
     assert_eq!(found(set), 0.5);
 }
 
+/// Beside a street in sunlight a cyclist goes dark, and the street stays as it is; a rider's street does not.
+#[test]
+fn in_sunlight_the_exposure_is_for_what_stands_there() {
+    let scene = Scene::preset("town-cyclist").expect("a preset");
+    let of_flags = |flags: &str| {
+        let settings =
+            Settings::default().with_command(&format!("gamow {flags}"), "a test").expect("settings");
+        settings.automatic_ev(&scene, 0.0)
+    };
+    for beta in [0.0, 0.3, 0.9, 0.99] {
+        assert_eq!(of_flags(&format!("--scene town-cyclist --beta {beta}")), 0.0, "{beta}");
+    }
+    let riding =
+        of_flags("--scene town-cyclist --beta 0 --ride coast --ride-speed 0.9 --street-colours received");
+    assert!(riding > 1.0, "{riding}");
+}
+
 #[test]
 fn at_rest_nothing_needs_an_exposure() {
     let scene = Scene::preset("cyclist").expect("a preset");

@@ -1,7 +1,7 @@
 //! Light and exposure of a picture, and settings in which every automatic choice is made.
 
 use relativity_render::light::exposure::automatic_ev;
-use relativity_render::{Appearance, RelativeVelocity, Velocity};
+use relativity_render::{Appearance, Motion, RelativeVelocity, Velocity};
 
 use super::all::Settings;
 use super::sections::{Daylight, LightSettings, Theme};
@@ -47,11 +47,14 @@ impl Settings {
         }
     }
 
-    /// The exposure that is found for `scene`, factors of 2: of a ride, by its speed at `time`.
+    /// The exposure that is found for `scene`, factors of 2: of a ride, by its speed at `time`. Where the scene
+    /// is in sunlight, eyes are adapted to what stands in it, not to what passes through.
     #[must_use]
     pub fn automatic_ev(&self, scene: &Scene, time: f64) -> f64 {
         let rider = self.rider(time);
-        let lights = scene.passing().flat_map(|group| {
+        let stands = |motion: Motion| motion == Motion::Own(Velocity::REST);
+        let exposed = scene.passing().filter(|group| !scene.sunlit || stands(group.motion));
+        let lights = exposed.flat_map(|group| {
             let past = RelativeVelocity::new(self.velocity(group.motion), &rider.observer().velocity);
             let velocity = Velocity::forward(past.speed);
             scene.bodies[group.bodies()].iter().map(move |body| (velocity, body.emission))

@@ -30,6 +30,8 @@ pub struct LightSettings {
     /// `auto` finds it from the speeds and the lights of the scene, so that it is steady while time runs:
     /// midway between the light at rest and the brightest that can be seen.
     ///
+    /// In a scene in sunlight it is found for what stands there alone: 0 for eyes at rest.
+    ///
     /// `auto` brightens what glows by at most 6 EV, for what passes abreast. What glows at 1000 degrees
     /// Celsius and recedes at 0.9 c needs about 80.
     #[arg(long, value_name = "auto|EV", allow_hyphen_values = true)]

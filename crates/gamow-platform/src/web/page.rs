@@ -191,10 +191,10 @@ pub fn has_coarse_pointer() -> bool {
 fn has_media(query: &str) -> bool {
     let is_so = || {
         let window = window()?;
-        let asked = js_sys::Reflect::get(&window, &"matchMedia".into()).ok()?;
+        let asked = Reflect::get(&window, &"matchMedia".into()).ok()?;
         let asked = asked.dyn_into::<js_sys::Function>().ok()?;
         let answer = asked.call1(&window, &query.into()).ok()?;
-        js_sys::Reflect::get(&answer, &"matches".into()).ok()?.as_bool()
+        Reflect::get(&answer, &"matches".into()).ok()?.as_bool()
     };
     is_so().unwrap_or(false)
 }
