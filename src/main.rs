@@ -2,8 +2,8 @@
 
 use std::io::{self, Write as _};
 use std::process::ExitCode;
-use std::time::Instant;
 
+use gamow_platform::clock::Instant;
 use gamow_platform::{environment, interrupt, limits, messages};
 
 use gamow::cli;

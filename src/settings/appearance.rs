@@ -47,8 +47,8 @@ impl Settings {
         }
     }
 
-    /// The exposure that is found for `scene`, factors of 2: of a ride, by its speed at `time`. Where the scene
-    /// is in sunlight, eyes are adapted to what stands in it, not to what passes through.
+    /// The exposure that is found for `scene`, factors of 2: of a ride, by its speed at `time`. Where the
+    /// scene is in sunlight, eyes are adapted to what stands in it, not to what passes through.
     #[must_use]
     pub fn automatic_ev(&self, scene: &Scene, time: f64) -> f64 {
         let rider = self.rider(time);

@@ -9,9 +9,9 @@
 //!
 //! # The sky
 //!
-//! The sky shines with a spectrum of its own: daylight less what comes from the sun. As much of it as there is
-//! in a colour of the backdrop ([`share_of_sky`]) counts as that light, the rest, the white of haze, as smooth
-//! paint: so the sky's light stands here as what it has beside smooth paint of its colour,
+//! The sky shines with a spectrum of its own: daylight less what comes from the sun. As much of it as there
+//! is in a colour of the backdrop ([`share_of_sky`]) counts as that light, the rest, the white of haze, as
+//! smooth paint: so the sky's light stands here as what it has beside smooth paint of its colour,
 //! [`sky_beside_paint`].
 //!
 //! # Paint in light that is shifted otherwise

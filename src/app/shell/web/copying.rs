@@ -16,8 +16,8 @@ pub struct Copying {
 }
 
 impl Copying {
-    /// Asks the browser to copy `text`, or to share it if it is a link and there is a sheet for that. Where it
-    /// refuses, the page shows the text, selected.
+    /// Asks the browser to copy `text`, or to share it if it is a link and there is a sheet for that. Where
+    /// it refuses, the page shows the text, selected.
     pub fn begin(ctx: &Context, text: String, is_link: bool, notice: Notice) -> Self {
         let is_copied = Rc::new(Cell::new(false));
         let (copied, ctx) = (Rc::clone(&is_copied), ctx.clone());
