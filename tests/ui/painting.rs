@@ -7,7 +7,7 @@ use gamow::app::shell::App;
 use gamow::app::state::overlay::Overlay;
 use gamow::app::tools::painting;
 use gamow::flags::choices::{Layout, RendererChoice};
-use gamow::settings::{QualitySettings, Theme};
+use gamow::settings::Theme;
 
 use super::support::{builder, cyclist, in_layout};
 use super::{Test, device};
@@ -25,12 +25,7 @@ impl Pair {
     fn new(beta: f64, pixels_per_point: f32) -> Self {
         let window = |is_painted: bool| {
             let mut state = cyclist(beta);
-            // What draws the views does not depend on how long that takes.
-            state.document.settings.quality = QualitySettings {
-                renderer: RendererChoice::Rays,
-                refine: false,
-                ..QualitySettings::default()
-            };
+            state.document.settings.quality.renderer = RendererChoice::Rays;
             builder([960.0, 560.0])
                 .with_pixels_per_point(pixels_per_point)
                 .renderer(device::renderer())
@@ -38,7 +33,8 @@ impl Pair {
                     if let Some(render_state) = cc.wgpu_render_state.as_ref().filter(|_| is_painted) {
                         painting::install(&cc.egui_ctx, render_state);
                     }
-                    App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)
+                    // Neither of them draws less of a picture that takes long.
+                    App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement()
                 })
         };
         Self { windows: [false, true].into_iter().map(window).collect() }

@@ -85,8 +85,10 @@ def test_an_interrupt_is_an_exception_and_leaves_nothing(name, tmp_path):
 def test_an_interrupt_of_the_first_array_does_not_panic(call, tmp_path):
     # Nothing of Python runs between the two calls of `map`, so that the second begins under an interrupt.
     program = f"""
-import _thread, functools
+import _thread, functools, signal
 import gamow
+# A shell has it ignored for what it runs in the background.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 calls = [_thread.interrupt_main, functools.partial({call})]
 try:
     list(map(functools.partial.__call__, map(functools.partial, calls)))
