@@ -105,8 +105,8 @@ impl Settings {
         let viewer = self.clone();
         self.set(flags).map_err(|problem| problem.at("the link".to_owned()))?;
         // A page has no files but those that its user gave it.
-        let is_given = !files::HAS_FOLDERS && files::is_file(Path::new(&self.scene));
-        if Scene::preset(&self.scene).is_none() && !is_given {
+        let is_given = || !files::HAS_FOLDERS && files::is_file(Path::new(&self.scene));
+        if Scene::preset(&self.scene).is_none() && !is_given() {
             let scene = messages::excerpt(&self.scene);
             let what = if files::HAS_FOLDERS {
                 "a link names a scene that comes with the program"

@@ -1,4 +1,4 @@
-//! What the system's user asks of all programs: less motion, more contrast.
+//! The wishes that a system's user has of all programs: less motion, more contrast.
 
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::{ask, less_motion, more_contrast};
@@ -77,13 +77,15 @@ mod desktop {
     /// Whether the system has answered that its user wants less motion.
     #[must_use]
     pub fn less_motion() -> bool {
-        WISHES[0].is_heard.load(Ordering::Relaxed)
+        let [motion, _] = &WISHES;
+        motion.is_heard.load(Ordering::Relaxed)
     }
 
     /// Whether the system has answered that its user wants more contrast.
     #[must_use]
     pub fn more_contrast() -> bool {
-        WISHES[1].is_heard.load(Ordering::Relaxed)
+        let [_, contrast] = &WISHES;
+        contrast.is_heard.load(Ordering::Relaxed)
     }
 
     fn last_word(answer: &str) -> Option<&str> {
@@ -109,6 +111,16 @@ mod desktop {
     #[cfg(test)]
     mod tests {
         use super::{is_odd, last_word};
+
+        #[cfg(target_os = "linux")]
+        #[test]
+        fn a_wish_is_heard_and_nothing_else() {
+            let heard = |answer: &str| super::WISHES.each_ref().map(|wish| (wish.is_yes)(answer));
+            assert_eq!(
+                ["false", "true", "0", "1"].map(heard),
+                [[true, false], [false, true], [false; 2], [false; 2]]
+            );
+        }
 
         /// The answers are as `gsettings`, `defaults` and `reg` write them.
         #[test]

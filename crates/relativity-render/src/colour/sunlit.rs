@@ -49,7 +49,8 @@ const AT_REST: usize = 384;
 pub const PAINTS: usize = 4 + Material::COUNT;
 /// The row of white paint.
 pub const WHITE: usize = 3;
-/// Linear sRGB of the sky's light at rest, over its brightest component.
+/// Linear sRGB of the sky's light at rest, over its brightest component. A number, as a street at rest needs
+/// no table.
 const SKY: [f64; 3] = [0.556, 0.668, 1.0];
 /// log2 of the least level, beside that at rest: 13 stops are what a good camera has in one picture. Where
 /// daylight is fainter, white is dark beside it.

@@ -21,6 +21,11 @@ pub(crate) const DAYLIT_ROW: usize = FIRST_SUNLIT;
 /// Row of grey in false colours.
 pub(crate) const FALSE_ROW: usize = Row::FalseGrey.number();
 
+/// A colour of paint at rest, linear sRGB, which holds none of the sky's light.
+pub(crate) const fn painted([red, green, blue]: [f64; 3]) -> [f64; 4] {
+    [red, green, blue, 0.0]
+}
+
 /// The way from a colour of the street at rest to the colour that is received.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct StreetLight {
@@ -121,10 +126,6 @@ mod tests {
 
     const PAINTS: [[f64; 3]; 4] =
         [[0.66, 0.635, 0.59], [0.48, 0.62, 0.80], [0.17, 0.20, 0.24], [0.30, 0.24, 0.15]];
-
-    fn painted([red, green, blue]: [f64; 3]) -> [f64; 4] {
-        [red, green, blue, 0.0]
-    }
 
     fn light(street: StreetColours) -> StreetLight {
         StreetLight::new(&Appearance { street, exposure_ev: -3.0, ..Appearance::default() })

@@ -14,7 +14,7 @@ use crate::camera::Camera;
 use crate::camera::lines_of_sight::LinesOfSight;
 use crate::colour::mix;
 use crate::colour::sunlit::share_of_sky;
-use crate::light::street_light::StreetLight;
+use crate::light::street_light::{StreetLight, painted};
 use crate::light::tone::BRIGHTEST;
 use crate::light::{palette, tone};
 use crate::view::effects::{Constant, number};
@@ -251,9 +251,13 @@ impl Backdrop {
         let aperture = camera.aperture;
         let street = StreetSight::new(camera, geometry);
         let palette = palette(appearance);
+        let sky = |colour: [f64; 3]| {
+            let [red, green, blue] = colour;
+            [red, green, blue, share_of_sky(colour)]
+        };
         Self {
             palette,
-            sky: [palette.horizon, palette.zenith].map(|colour| with_sky(colour, share_of_sky(colour))),
+            sky: [palette.horizon, palette.zenith].map(sky),
             aperture: DVec2::new(aperture.x, aperture.y),
             ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
             road: appearance.road,
@@ -379,15 +383,6 @@ impl Backdrop {
         };
         self.hazy(painted, seen, distance)
     }
-}
-
-/// A colour of paint, which holds none of the sky's light.
-fn painted(colour: [f64; 3]) -> [f64; 4] {
-    with_sky(colour, 0.0)
-}
-
-fn with_sky([red, green, blue]: [f64; 3], sky: f64) -> [f64; 4] {
-    [red, green, blue, sky]
 }
 
 /// Returns width and height of a pixel on a surface, given the turns of the line of sight to the next;

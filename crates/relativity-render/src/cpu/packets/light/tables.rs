@@ -166,7 +166,7 @@ pub fn toned<S: Simd>(light: V3<S>) -> V3<S> {
     light * (shoulder(largest) / largest.max(1e-30))
 }
 
-/// How many times as bright the light is that a screen shows as `colour`: see
+/// Returns how many times as bright as `colour` the light is that a screen shows so: see
 /// [`crate::light::tone::untoned`].
 #[inline(always)]
 pub fn untoning<S: Simd>(colour: V3<S>) -> F<S> {

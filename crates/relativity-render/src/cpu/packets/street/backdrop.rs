@@ -203,10 +203,11 @@ fn received<S: Simd>(frame: &FrameUniform, at_rest: AtRest<S>, doppler: F<S>) ->
     let light = at_rest.colour * untoning;
     let (light, brightness) = if frame.street() == StreetVariant::Daylit {
         let place = octaves * (shift * tables.sunlit_per_octave) + tables.sunlit_at_rest;
-        let (paint, level) = tables.smooth(DAYLIT_ROW, light, place);
-        let has_sky = at_rest.sky.simd_gt(0.0).any_true();
-        let beside = |sky: F<S>| tables.looked_up(Row::Sky.number(), place).0 * (sky * untoning);
-        (if has_sky { paint + beside(at_rest.sky) } else { paint }, level)
+        let (mut light, level) = tables.smooth(DAYLIT_ROW, light, place);
+        if at_rest.sky.simd_gt(0.0).any_true() {
+            light += tables.looked_up(Row::Sky.number(), place).0 * (at_rest.sky * untoning);
+        }
+        (light, level)
     } else {
         let place = octaves * (shift * tables.map_per_octave) + tables.map_middle;
         let (tint, level) = tables.looked_up(FALSE_ROW, place);
