@@ -2,7 +2,9 @@
 const VERSION = 'unbuilt';
 const FILES = [
     './', './gamow-web.js', './gamow-web_bg.wasm', './gamow-worker.js', './icon.png', './LICENSES-THIRD-PARTY.txt',
-    './manifest.webmanifest', './page.js', './stereoscope.js', './street.jpg',
+    './manifest.webmanifest', './page.js', './stereoscope.js',
+    // The pictures of the cards, which web/build writes here.
+    ...[],
 ];
 // Caches belong to an origin, which may have other pages with their own.
 const OWN = `gamow ${new URL(registration.scope).pathname} `;

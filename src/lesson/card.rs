@@ -2,6 +2,7 @@
 //! them.
 
 use anyhow::Context as _;
+use gamow_platform::shipped::ShippedFile;
 use relativity_render::Picture;
 
 use super::library;
@@ -15,7 +16,7 @@ pub const SIZE: [u32; 2] = [320, 186];
 
 /// Returns the file of the picture of `lesson`, a JPEG; `None` for a lesson of the user's own.
 #[must_use]
-pub fn shipped(lesson: &Lesson) -> Option<&'static [u8]> {
+pub fn shipped(lesson: &Lesson) -> Option<ShippedFile> {
     if lesson.path.is_some() {
         return None;
     }

@@ -4,7 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
-use gamow_platform::files;
+use gamow_platform::shipped::ShippedFile;
+use gamow_platform::{files, shipped_file};
 
 use super::error::LessonError;
 use super::plan::Lesson;
@@ -17,13 +18,13 @@ macro_rules! files {
         [$((
             $name,
             include_str!(concat!("../../assets/lessons/", $name, ".md")),
-            include_bytes!(concat!("../../assets/cards/", $name, ".jpg")),
+            shipped_file!("assets/cards/", $name, ".jpg"),
         )),*]
     };
 }
 
 /// The names of the program's own, their files and the pictures of their cards, in their order.
-const OWN: [(&str, &str, &[u8]); 21] = files![
+const OWN: [(&str, &str, ShippedFile); 21] = files![
     "rods",
     "what-gamow-drew",
     "light-is-late",
@@ -48,7 +49,7 @@ const OWN: [(&str, &str, &[u8]); 21] = files![
 ];
 
 /// Returns the file of the picture on the card of the program's own lesson of this name.
-pub(super) fn card(name: &str) -> Option<&'static [u8]> {
+pub(super) fn card(name: &str) -> Option<ShippedFile> {
     OWN.iter().find(|(own, ..)| *own == name).map(|(.., card)| *card)
 }
 

@@ -2,6 +2,9 @@
 
 use std::sync::LazyLock;
 
+use gamow_platform::shipped::ShippedFile;
+use gamow_platform::shipped_file;
+
 use super::all::Settings;
 use super::file::Heading;
 
@@ -21,7 +24,7 @@ pub struct Preset {
     /// Text of the preset's file.
     pub toml: &'static str,
     /// Picture on its card, a JPEG.
-    pub card: &'static [u8],
+    pub card: ShippedFile,
 }
 
 /// The groups of presets, in the order of their page.
@@ -59,13 +62,13 @@ macro_rules! files {
             PresetGroup::$group,
             $name,
             include_str!(concat!("../../assets/presets/", $name, ".toml")),
-            include_bytes!(concat!("../../assets/cards/", $name, ".jpg")),
+            shipped_file!("assets/cards/", $name, ".jpg"),
         )),+),+]
     };
 }
 
 /// The groups, names, files and cards of all, best first in each group; the first is the start.
-const FILES: [(PresetGroup, &str, &str, &[u8]); 28] = files![
+const FILES: [(PresetGroup, &str, &str, ShippedFile); 28] = files![
     See: "real-light", "street", "gamow-1938", "rolling-wheel", "tram", "globe", "die", "vienna-cube", "vienna-sphere",
         "beaming", "lattice", "panorama", "train", "extreme-gamma";
     Ride: "ride-seasons", "ride-post-office", "ride-lamps", "ride-overtaking", "ride-twins", "ride-tunnel";
@@ -120,7 +123,7 @@ impl Preset {
         with(settings).or_else(|| with(&Settings { time: None, ..settings.clone() }))
     }
 
-    fn read(group: PresetGroup, name: &'static str, text: &'static str, card: &'static [u8]) -> Option<Self> {
+    fn read(group: PresetGroup, name: &'static str, text: &'static str, card: ShippedFile) -> Option<Self> {
         let Heading { title, caption } = Heading::in_toml(text)?;
         let settings = Settings::default().with_toml(text, name).ok()?;
         Some(Self { group, name, title, caption, settings, toml: text, card })

@@ -1,7 +1,7 @@
 //! The platform: everything that the system provides, each thing in one module, which decides what a platform
 //! lacks: the clock, files, locks, threads, interrupts, being ended, limits, what names of files mean, the
 //! environment, the standard streams, a terminal, how much memory a file may ask for, what its user asks of
-//! all programs, and messages to another instance of the program.
+//! all programs, files that come with the program, and messages to another instance of the program.
 //!
 //! With the feature `desktop` it is an operating system's, without it a browser's; both have the same names.
 #![cfg_attr(
@@ -32,6 +32,7 @@ pub mod names;
 #[cfg(feature = "desktop")]
 pub mod progress;
 pub mod shared;
+pub mod shipped;
 pub mod sizes;
 #[cfg(feature = "desktop")]
 pub mod threads;

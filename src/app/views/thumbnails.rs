@@ -93,9 +93,12 @@ impl Thumbnails {
         if !self.kept.contains_key(&key) {
             match card::shipped(lesson) {
                 Some(file) if is_in_view => {
-                    let decoded = jpeg::decode(file, |_| Ok(())).ok();
-                    let texture = decoded.map(|(size, rgba)| load(ctx, &key.0, size, &rgba));
-                    self.kept.insert(key.clone(), texture);
+                    let then = ctx.clone();
+                    if let Some(bytes) = file.bytes(move || then.request_repaint()) {
+                        let decoded = jpeg::decode(bytes, |_| Ok(())).ok();
+                        let texture = decoded.map(|(size, rgba)| load(ctx, &key.0, size, &rgba));
+                        self.kept.insert(key.clone(), texture);
+                    }
                 }
                 None if self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) => {
                     self.missing = Some((Arc::clone(lesson), is_in_view));

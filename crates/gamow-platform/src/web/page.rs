@@ -1,10 +1,15 @@
 //! The page: its canvas, its address, and its words for when the program cannot go on.
 
-use js_sys::Reflect;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use js_sys::{Reflect, Uint8Array};
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{Element, Event, History, HtmlCanvasElement, ShareData, Storage, Window};
+use web_sys::{Element, Event, History, HtmlCanvasElement, Response, ShareData, Storage, Window};
+
+use super::tasks;
 
 /// Name under which a tab keeps why WebGPU has failed in it.
 const WEBGPU_FAILURE: &str = "gamow/webgpu-failure";
@@ -99,6 +104,30 @@ pub async fn copy_text(text: &str) -> bool {
     // Elsewhere there is no clipboard at all.
     let Some(window) = window().filter(Window::is_secure_context) else { return false };
     JsFuture::from(window.navigator().clipboard().write_text(text)).await.is_ok()
+}
+
+thread_local!(static FETCHED: RefCell<BTreeMap<&'static str, Option<&'static [u8]>>> = const { RefCell::new(BTreeMap::new()) });
+
+/// Returns the bytes of the file at this `place` below the page's folder; `None` while they come, and for ever
+/// if they cannot. The first call for a place fetches them, and has `then` called once they are there.
+pub fn fetched(place: &'static str, then: impl FnOnce() + 'static) -> Option<&'static [u8]> {
+    if let Some(bytes) = FETCHED.with_borrow(|fetched| fetched.get(place).copied()) {
+        return bytes;
+    }
+    FETCHED.with_borrow_mut(|fetched| fetched.insert(place, None));
+    tasks::spawn(async move {
+        let Some(bytes) = fetch(place).await else { return };
+        // They are asked for as long as the page is there.
+        FETCHED.with_borrow_mut(|fetched| fetched.insert(place, Some(bytes.leak())));
+        then();
+    });
+    None
+}
+
+async fn fetch(place: &str) -> Option<Vec<u8>> {
+    let response: Response = JsFuture::from(window()?.fetch_with_str(place)).await.ok()?.dyn_into().ok()?;
+    let bytes = response.ok().then(|| response.array_buffer().ok())??;
+    Some(Uint8Array::new(&JsFuture::from(bytes).await.ok()?).to_vec())
 }
 
 /// Whether links are handed to the system's sheet for sharing: where it has one, and a finger to use it.

@@ -3,7 +3,7 @@
 
 mod words;
 
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 use eframe::egui::{
     Align2, Context, Grid, Id, Label, RichText, ScrollArea, TextStyle, TextWrapMode, Ui, Window, vec2,
@@ -16,7 +16,7 @@ use crate::app::state::State;
 use crate::app::state::overlay::Overlay;
 use crate::app::widgets::markdown;
 use crate::settings::about_all;
-use words::{GLOSSARY, OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT};
+use words::{GLOSSARY, NOTICES, OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT};
 
 /// Width and height of what scrolls, and how much of the window is left around it; points.
 const SIZE: [f32; 2] = [600.0, 440.0];
@@ -128,16 +128,20 @@ fn section(ui: &mut Ui, section: HelpSection) {
 
 /// Shows the lines of the notice of licences that are in sight.
 fn licences(ui: &mut Ui, area: ScrollArea) {
-    static LINES: LazyLock<Vec<&str>> = LazyLock::new(|| {
-        [OWN_LICENCE, ""]
-            .into_iter()
-            .chain(include_str!("../../../../LICENSES-THIRD-PARTY.txt").lines())
-            .collect()
+    static LINES: OnceLock<Vec<&str>> = OnceLock::new();
+    let then = ui.ctx().clone();
+    let Some(notices) = NOTICES.bytes(move || then.request_repaint()) else {
+        ui.label(OWN_LICENCE);
+        ui.label(format!("The licences of what it is made of are beside the page, in {}.", NOTICES.place));
+        return;
+    };
+    let lines = LINES.get_or_init(|| {
+        [OWN_LICENCE, ""].into_iter().chain(str::from_utf8(notices).unwrap_or_default().lines()).collect()
     });
     let height = ui.text_style_height(&TextStyle::Body);
-    area.show_rows(ui, height, LINES.len(), |ui, rows| {
+    area.show_rows(ui, height, lines.len(), |ui, rows| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        for line in &LINES[rows] {
+        for line in &lines[rows] {
             ui.label(*line);
         }
     });

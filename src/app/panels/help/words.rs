@@ -2,6 +2,9 @@
 
 use std::sync::LazyLock;
 
+use gamow_platform::shipped::ShippedFile;
+use gamow_platform::shipped_file;
+
 use crate::formula::markdown::Markdown;
 
 /// The first paragraphs, about what is on screen.
@@ -40,6 +43,9 @@ pub const PAPER: [&str; 2] = [
 
 /// Address of the paper.
 pub const PAPER_ADDRESS: &str = "https://doi.org/10.1098/rspa.2019.0703";
+
+/// The licences of what Gamow is made of.
+pub const NOTICES: ShippedFile = shipped_file!("LICENSES-THIRD-PARTY.txt");
 
 /// The licence of Gamow itself.
 pub const OWN_LICENCE: &str =
