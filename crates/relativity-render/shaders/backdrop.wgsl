@@ -296,7 +296,12 @@ fn behind(pixel: vec2f) -> vec3f {
 
 @fragment
 fn composite(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let front = textureLoad(bodies, vec2i(position.xy), 0);
+    let first = vec2u(position.xy) * ACROSS;
+    var front = vec4f(0.0);
+    for (var i = 0u; i < ACROSS * ACROSS; i++) {
+        front += textureLoad(bodies, first + vec2u(i % ACROSS, i / ACROSS), 0);
+    }
+    front /= f32(ACROSS * ACROSS);
     var linear = front.rgb;
     if front.a < 1.0 {
         linear += (1.0 - front.a) * behind(position.xy);

@@ -3,6 +3,11 @@
 // Whether bodies may be thinner than a pixel: then they are drawn a pixel wide and faded instead.
 override THIN: bool;
 
+// Where a fragment is in the picture, px.
+fn pixel_at(position: vec4f) -> vec2f {
+    return position.xy / f32(ACROSS);
+}
+
 struct Body {
     // From the middle of its group: its centre, or one end of a tube.
     place: vec3f,

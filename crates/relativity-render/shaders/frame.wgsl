@@ -3,6 +3,9 @@
 // Physics uses only + - * / and sqrt, whose accuracy WGSL bounds; whatever needs more is computed in f64
 // on the CPU and arrives here.
 
+// Samples of a pixel beside each other, where each is drawn as a pixel of its own; else 1.
+override ACROSS: u32;
+
 struct FrameUniform {
     // Line of sight (unnormalised) = base + right * (u - pole.x) + down * (v - pole.y), u and v in pixels; of
     // a conformal picture see `conformal_line`. The pole is the pixel towards where the group comes from (-x,

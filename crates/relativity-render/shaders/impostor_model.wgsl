@@ -71,17 +71,17 @@ fn model_at(fragment: Fragment, place: vec2f) -> OfModel {
 
 @fragment
 fn picture(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
-    return sample_of_model(fragment, index);
+    let middle = floor(pixel_at(fragment.position)) + 0.5;
+    return sample_at(fragment, middle + vec2f(SAMPLE_U[index], SAMPLE_V[index]));
 }
 
 @fragment
-fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
-    return sample_of_model(fragment, index);
+fn sample(fragment: Fragment) -> Sample {
+    return sample_at(fragment, pixel_at(fragment.position));
 }
 
-fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
-    let pixel = floor(fragment.position.xy) + 0.5;
-    let hit = model_at(fragment, pixel + vec2f(SAMPLE_U[index], SAMPLE_V[index]));
+fn sample_at(fragment: Fragment, place: vec2f) -> Sample {
+    let hit = model_at(fragment, place);
     let body = body_of(fragment);
     let own_height = frame.middle.z + body.place.z + hit.place.z;
     let height = height_on_ground(own_height, body.place + hit.place);
@@ -99,14 +99,14 @@ fn sample_of_model(fragment: Fragment, index: u32) -> Sample {
     let paint = paint_at(row, record, hit.weights)
         * texture_at(row, record, hit.weights, there, hit.ray, normal, distance, 0.5);
     let painted = vec4f(paint, material_at(row, record));
-    let colour = received_colour(fragment.light, painted, hit.doppler, hit.normal, facing, pixel)
+    let colour = received_colour(fragment.light, painted, hit.doppler, hit.normal, facing, floor(place) + 0.5)
         * fragment.index_brightness.y;
     return Sample(vec4f(colour, 1.0), depth(hit.ray, hit.beyond));
 }
 
 @fragment
 fn hits(fragment: Fragment) -> Hit {
-    let hit = model_at(fragment, fragment.position.xy);
+    let hit = model_at(fragment, pixel_at(fragment.position));
     if hit.triangle == 0u {
         discard;
     }

@@ -1,14 +1,17 @@
 // What the pixels of a rectangle show of a body with a shape of its own.
 
-// What a pixel shows of a body, and how deep inside the outline each of its samples lies, in pixels.
+// What a pixel shows of a body, how deep inside the outline its middle lies, and how fast that changes from
+// pixel to pixel; in pixels.
 struct Shaded {
     colour: vec4f,
     depth: f32,
-    clearances: vec4f,
+    clearance: f32,
+    gradient: vec2f,
 }
 
 fn shaded(fragment: Fragment) -> Shaded {
-    let ray = rest_ray(fragment.position.xy);
+    let pixel = pixel_at(fragment.position);
+    let ray = rest_ray(pixel);
     let body = body_of(fragment);
     let spin = spin_of(fragment.spin, fragment.rim);
     let hit = surface_when_shown(body, ray, spin);
@@ -31,15 +34,14 @@ fn shaded(fragment: Fragment) -> Shaded {
     let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
     let facing = facing_of(body, hit.place, hit.normal, spin);
     let paint = vec4f(1.0, 1.0, 1.0, -1.0);
-    var colour = received_colour(fragment.light, paint, doppler, hit.normal, facing, fragment.position.xy)
+    var colour = received_colour(fragment.light, paint, doppler, hit.normal, facing, pixel)
         * fragment.index_brightness.y;
     if PATTERNS {
         let there = standing(body, hit.place, spin);
         let ground_distance = distance * ray.ground_per_rest;
         colour *= mark(there.body, fragment.pattern, there.place, hit.normal, ray, ground_distance);
     }
-    let clearances = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V;
-    return Shaded(vec4f(colour * alpha, alpha), depth(ray, hit.beyond), clearances);
+    return Shaded(vec4f(colour * alpha, alpha), depth(ray, hit.beyond), clearance, gradient);
 }
 
 struct Picture {
@@ -51,15 +53,15 @@ struct Picture {
 @fragment
 fn picture(fragment: Fragment) -> Picture {
     let shaded = shaded(fragment);
-    let inside = select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), shaded.clearances > vec4f(0.0));
+    let clearances = vec4f(shaded.clearance) + shaded.gradient.x * SAMPLE_U + shaded.gradient.y * SAMPLE_V;
+    let inside = select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), clearances > vec4f(0.0));
     return Picture(shaded.colour, shaded.depth, inside.x + inside.y + inside.z + inside.w);
 }
 
-// The same sample by sample, at four times the cost: for OpenGL, where wgpu cannot write a sample mask.
 @fragment
-fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
+fn sample(fragment: Fragment) -> Sample {
     let shaded = shaded(fragment);
-    if !(shaded.clearances[index] > 0.0) {
+    if !(shaded.clearance > 0.0) {
         discard;
     }
     return Sample(shaded.colour, shaded.depth);
@@ -67,7 +69,7 @@ fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Samp
 
 @fragment
 fn hits(fragment: Fragment) -> Hit {
-    let ray = rest_ray(fragment.position.xy);
+    let ray = rest_ray(pixel_at(fragment.position));
     let body = body_of(fragment);
     let spin = spin_of(fragment.spin, fragment.rim);
     let hit = surface_when_shown(body, ray, spin);

@@ -302,7 +302,7 @@ struct Measure {
 // body lie behind each other, as a ring's do, triangles of both have the depth of the nearer, and either may
 // be drawn: so both show the nearer. Where the ray misses the body, there is the triangle alone.
 fn measure(fragment: Fragment) -> Measure {
-    let ray = rest_ray(fragment.position.xy);
+    let ray = rest_ray(pixel_at(fragment.position));
     let normal = normal_in(fragment);
     if MAP == 3u {
         let distance = length(fragment.apparent);
@@ -430,7 +430,7 @@ fn picture(fragment: Fragment, @builtin(front_facing) is_front: bool) -> Picture
     let turning = spin_of(fragment.spin, fragment.rim);
     let facing = facing_of(body_of(fragment), measure.place, measure.normal, turning);
     let paint = paint_in(fragment, measure);
-    let pixel = fragment.position.xy;
+    let pixel = pixel_at(fragment.position);
     var colour = received_colour(fragment.light, paint, measure.doppler, measure.normal, facing, pixel)
         * fragment.width_brightness_index.y;
     if PATTERNS {

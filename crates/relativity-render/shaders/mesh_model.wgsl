@@ -29,7 +29,7 @@ fn prepare(fragment: Fragment, is_front: bool) {
     let outside = outward(current);
     var is_seen = is_front;
     if MAP < 3u {
-        var passes = rest_ray(fragment.position.xy).direction;
+        var passes = rest_ray(pixel_at(fragment.position)).direction;
         if TURNS == 2u {
             // As somebody finds it who turns with the model.
             passes += velocity_at(current_from_hub, spin) * dot(later(current_from_hub, spin).slowness, passes);

@@ -234,19 +234,17 @@ impl Renderers {
     ) -> Vec<NeededPipeline> {
         let Some(gpu) = &self.gpu else { return Vec::new() };
         match method.on_gpu(view) {
-            Method::Rays if gpu.has_rays() => {
-                preparation::missing(gpu, |_| rays::technique(gpu), scene, view, appearance)
-            }
+            Method::Rays => preparation::missing(gpu, |_| rays::technique(gpu), scene, view, appearance),
             Method::Mesh => {
                 preparation::missing(gpu, |group| mesh::technique(gpu, group), scene, view, appearance)
             }
-            Method::Reference | Method::Packets | Method::Rays => Vec::new(),
+            Method::Reference | Method::Packets => Vec::new(),
         }
     }
 
     /// Draws `scene` into `target`, whose size overrides the camera's, by the GPU's substitute for `method`,
-    /// and returns the method that drew: the packets stand in for the rays where the device cannot draw
-    /// these, or has no room for the scene's models.
+    /// and returns the method that drew: the packets stand in for the rays where the device has no room
+    /// for the scene's models.
     ///
     /// # Errors
     ///
@@ -291,7 +289,7 @@ impl Renderers {
         view: &View,
     ) -> Result<Method, GpuError> {
         view.drawn_on_gpu()?;
-        self.in_place_of_rays(method.on_gpu(view), scene, view)
+        self.with_room_for_models(method.on_gpu(view), scene, view)
     }
 
     /// Draws `view` by the packets while `goes_on` is true, which is evaluated before each tile of 8 x 8
@@ -305,20 +303,6 @@ impl Renderers {
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Option<Picture> {
         Some(self.packets.as_ref()?.picture_while(scene, view, appearance, goes_on))
-    }
-
-    /// Returns `method`, or the packets for rays on a device that cannot draw these.
-    fn in_place_of_rays(
-        &mut self,
-        method: Method,
-        scene: &PreparedScene,
-        view: &View,
-    ) -> Result<Method, GpuError> {
-        let has_rays = self.gpu.as_ref().is_none_or(Gpu::has_rays);
-        if method == Method::Rays && !has_rays && self.packets.is_some() {
-            return Ok(Method::Packets);
-        }
-        self.with_room_for_models(method, scene, view)
     }
 
     /// Returns `method`, with the models of `scene` on the device if it draws there; or the packets where the

@@ -204,8 +204,8 @@ fn format(module: &Module, member: &StructMember) -> VertexFormat {
 }
 
 fn module(shader: &Shader) -> Module {
-    match naga::front::wgsl::parse_str(shader.source) {
+    match naga::front::wgsl::parse_str(&shader.source) {
         Ok(module) => module,
-        Err(error) => panic!("{}: {}", shader.name, error.emit_to_string(shader.source)),
+        Err(error) => panic!("{}: {}", shader.name, error.emit_to_string(&shader.source)),
     }
 }

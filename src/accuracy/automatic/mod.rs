@@ -53,7 +53,7 @@ pub struct Automatic {
     kept: Vec<(Geometry, Method)>,
     /// When something may be tried, milliseconds.
     next_trial_ms: Option<f64>,
-    /// Whether the device draws rays, if there is one.
+    /// Whether the rays of the device may be chosen, if there is one.
     has_rays: bool,
 }
 
@@ -72,7 +72,7 @@ impl Automatic {
         Self { costs, scene: None, kept: Vec::new(), next_trial_ms: None, has_rays: true }
     }
 
-    /// Returns this with `has_rays`: whether the device draws rays, which WebGL does not.
+    /// Returns this with `has_rays`: whether the rays of the device may be chosen.
     #[must_use]
     pub fn with_rays(self, has_rays: bool) -> Self {
         Self { has_rays, ..self }

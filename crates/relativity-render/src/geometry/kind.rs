@@ -1,6 +1,6 @@
 //! The kinds of shape in the shaders: each has its own ray test, and its own corners of triangles.
 
-use crate::shaders::source;
+use crate::shaders::{Source, source};
 
 /// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the
 /// pixels of that, for the corners and for patterns.
@@ -17,7 +17,7 @@ macro_rules! kinds {
             pub const ALL: &[Self] = &[$(Self::$kind),+];
 
             /// Returns the shader of the rays.
-            pub const fn impostor(self) -> &'static str {
+            pub const fn impostor(self) -> Source {
                 match self {
                     $(Self::$kind => source!(
                         "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+
@@ -26,7 +26,7 @@ macro_rules! kinds {
             }
 
             /// The mesh renderer's shader.
-            pub const fn mesh(self) -> &'static str {
+            pub const fn mesh(self) -> Source {
                 match self {
                     $(Self::$kind => source!(
                         "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", $($test),+, "mesh", "mesh_turning", $($corners),+, $pattern

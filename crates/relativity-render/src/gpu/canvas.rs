@@ -56,7 +56,8 @@ impl Canvas {
         gpu.cache.last_passes.get(pass, || {
             let module = gpu.shader("backdrop", BACKDROP);
             let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
-            last_pass_on(&gpu.device, &module, &layout, &pass.constants())
+            let constants = gpu.sampling().among(pass.constants());
+            last_pass_on(&gpu.device, &module, &layout, &constants)
         })
     }
 
@@ -102,11 +103,14 @@ impl Canvas {
         let layers = target.layers(gpu);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
-            let samples = wgpu::RenderPassColorAttachment {
-                resolve_target: Some(&layers.bodies),
-                ..attachment(&layers.samples, wgpu::StoreOp::Discard)
+            let layer = match &layers.samples {
+                Some(samples) => wgpu::RenderPassColorAttachment {
+                    resolve_target: Some(&layers.bodies),
+                    ..attachment(samples, wgpu::StoreOp::Discard)
+                },
+                None => attachment(&layers.bodies, wgpu::StoreOp::Store),
             };
-            let mut pass = begin_pass(&mut encoder, "bodies", &[Some(samples)], Some(&layers.depth));
+            let mut pass = begin_pass(&mut encoder, "bodies", &[Some(layer)], Some(&layers.depth));
             bodies(&mut pass);
         }
         {

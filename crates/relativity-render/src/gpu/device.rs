@@ -7,6 +7,8 @@ use super::answers::PendingReadbacks;
 use super::device_cache::DeviceCache;
 use super::device_errors::ErrorScopes;
 use super::error::GpuError;
+use super::target::Sampling;
+use crate::shaders::Source;
 
 /// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for
 /// none.
@@ -115,7 +117,7 @@ impl Gpu {
     /// Largest width and height of a picture, pixels.
     #[must_use]
     pub fn largest_side(&self) -> u32 {
-        self.device.limits().max_texture_dimension_2d
+        self.device.limits().max_texture_dimension_2d / self.sampling().across
     }
 
     /// Returns a description of the device, e.g. "llvmpipe (Vulkan)".
@@ -128,13 +130,6 @@ impl Gpu {
     #[must_use]
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
-    }
-
-    /// Returns whether the rays are drawn: their shaders choose the samples of a pixel, which those of WebGL
-    /// cannot.
-    #[must_use]
-    pub fn has_rays(&self) -> bool {
-        self.has_sample_masks() || cfg!(not(target_arch = "wasm32"))
     }
 
     /// Returns whether what was drawn can be read back at once; in a browser nothing can be waited for.
@@ -167,16 +162,17 @@ impl Gpu {
         self.device.poll(how).map(|_| ()).map_err(|_| GpuError::Lost)
     }
 
-    /// Whether shaders can choose the samples they cover.
-    pub(crate) fn has_sample_masks(&self) -> bool {
-        self.info.backend != wgpu::Backend::Gl
+    /// Returns how the samples of a picture are drawn: by OpenGL, shaders of wgpu cannot choose those they
+    /// cover.
+    pub(crate) fn sampling(&self) -> Sampling {
+        if self.info.backend == wgpu::Backend::Gl { Sampling::AS_PIXELS } else { Sampling::CHOSEN }
     }
 
-    pub(crate) fn shader(&self, label: &str, source: &'static str) -> wgpu::ShaderModule {
+    pub(crate) fn shader(&self, label: &str, source: Source) -> wgpu::ShaderModule {
         self.cache.shaders.get(source, || {
             self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
-                source: wgpu::ShaderSource::Wgsl(source.into()),
+                source: wgpu::ShaderSource::Wgsl(source.concat().into()),
             })
         })
     }

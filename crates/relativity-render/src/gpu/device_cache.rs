@@ -7,13 +7,14 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::frame::pipeline_key::BodyPipeline;
 use crate::picture::compose::ComposeVariant;
+use crate::shaders::Source;
 use crate::street::backdrop::LastPass;
 
 /// Shaders and pipelines of a device, shared by all that draw on it.
 #[derive(Debug, Default)]
 pub struct DeviceCache {
     /// Shaders, by their source.
-    pub shaders: Cache<&'static str, wgpu::ShaderModule>,
+    pub shaders: Cache<Source, wgpu::ShaderModule>,
     /// Pipelines that draw bodies.
     pub bodies: Cache<BodyPipeline, wgpu::RenderPipeline>,
     /// Pipelines that draw a part of the backdrop, and what is before it.

@@ -7,6 +7,7 @@ use super::device::Gpu;
 use super::mesh::MeshInstance;
 use super::pipelines::Technique;
 use super::rays::Piece;
+use super::target::Sampling;
 use super::{mesh, rays};
 use crate::frame::pipeline_key::{Key, Output};
 use crate::frame::uniform::FrameUniform;
@@ -26,7 +27,7 @@ pub struct Shader {
     /// Name of the pass that the shader draws.
     pub name: String,
     /// Source text, in WGSL.
-    pub source: &'static str,
+    pub source: String,
     /// The constants that its pipelines are made with.
     pub constants: Vec<Constant>,
 }
@@ -92,20 +93,20 @@ pub fn pipelines(gpu: &Gpu) -> usize {
 /// Returns every shader.
 #[must_use]
 pub fn shaders() -> Vec<Shader> {
+    let pass = backdrop::LastPass {
+        part: backdrop::BackdropPart::Street,
+        street: StreetVariant::Daylit,
+        is_conformal: true,
+        is_oblique: true,
+    };
     let backdrop = Shader {
         name: "backdrop".to_owned(),
-        source: shaders::BACKDROP,
-        constants: backdrop::LastPass {
-            part: backdrop::BackdropPart::Street,
-            street: StreetVariant::Daylit,
-            is_conformal: true,
-            is_oblique: true,
-        }
-        .constants(),
+        source: shaders::BACKDROP.concat(),
+        constants: Sampling::CHOSEN.among(pass.constants()),
     };
     let compose = Shader {
         name: "compose".to_owned(),
-        source: shaders::COMPOSE,
+        source: shaders::COMPOSE.concat(),
         constants: compose::ComposeVariant::Rows.constants().to_vec(),
     };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
@@ -132,7 +133,7 @@ fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
     };
     Shader {
         name: format!("{name} of a {kind:?}"),
-        source: (technique.source)(kind),
-        constants: technique.constants(key),
+        source: (technique.source)(kind).concat(),
+        constants: technique.constants(key, Sampling::CHOSEN),
     }
 }

@@ -4,19 +4,20 @@
 use std::collections::HashMap;
 
 use super::device::Gpu;
-use super::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
+use super::target::{DEPTH_FORMAT, MEASURES_FORMAT, Sampling, linear_target};
 use crate::frame::pipeline_key::{AmongOthers, Key, Output};
 use crate::geometry::kind::Kind;
 use crate::light::tone;
 use crate::light::{palette, shade, sky};
 use crate::scene::pattern;
+use crate::shaders::Source;
 use crate::view::effects::{Constant, Effects, number};
 
 /// The technique of a renderer: the part of its pipelines that is its own.
 #[derive(Debug, Clone, Copy)]
 pub struct Technique {
     /// The shader of a kind of shape.
-    pub source: fn(Kind) -> &'static str,
+    pub source: fn(Kind) -> Source,
     /// Entry point of the vertex stage. It names the technique in the key of its pipelines, so no other
     /// technique has the same.
     pub vertex: &'static str,
@@ -52,8 +53,8 @@ impl Technique {
         }
     }
 
-    /// Returns all constants of the shaders.
-    pub fn constants(&self, key: Key) -> Vec<Constant> {
+    /// Returns all constants of the shaders, whose samples are drawn so.
+    pub fn constants(&self, key: Key, sampling: Sampling) -> Vec<Constant> {
         let (effects, is_thin, is_patterned) = match key.output {
             Output::Picture { effects, is_thin, is_patterned } => (effects, is_thin, is_patterned),
             Output::Hits => (Effects::NONE, false, false),
@@ -78,7 +79,7 @@ impl Technique {
         constants.extend(palette::places());
         constants.extend(sky::constants());
         constants.extend(pattern::constants(is_patterned, key.geometry));
-        constants
+        sampling.among(constants)
     }
 }
 
@@ -116,11 +117,13 @@ impl Technique {
     }
 
     fn made(&self, gpu: &Gpu, layout: &wgpu::PipelineLayout, key: Key) -> wgpu::RenderPipeline {
-        let constants = self.constants(key);
-        let (entry_point, samples, targets) = match key.output {
-            Output::Picture { is_thin, .. } => (self.picture, SAMPLES, vec![Some(linear_target(is_thin))]),
-            Output::Hits => ("hits", 1, vec![Some(MEASURES_FORMAT.into()); 2]),
+        let (entry_point, sampling, targets) = match key.output {
+            Output::Picture { is_thin, .. } => {
+                (self.picture, gpu.sampling(), vec![Some(linear_target(is_thin))])
+            }
+            Output::Hits => ("hits", Sampling::MIDDLE, vec![Some(MEASURES_FORMAT.into()); 2]),
         };
+        let constants = self.constants(key, sampling);
         let module = &gpu.shader("bodies", (self.source)(key.kind));
         let compilation_options =
             wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
@@ -135,7 +138,7 @@ impl Technique {
             },
             primitive: self.primitive_of(key.kind),
             depth_stencil: Some(nearest()),
-            multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+            multisample: wgpu::MultisampleState { count: sampling.of_hardware, ..Default::default() },
             fragment: Some(wgpu::FragmentState {
                 module,
                 entry_point: Some(entry_point),

@@ -6,9 +6,32 @@ use super::buffers::{frame_buffer, vertex_buffer};
 use super::device::Gpu;
 use super::error::GpuError;
 use crate::picture::pixels::Picture;
+use crate::view::effects::Constant;
 
-/// Samples per pixel of a picture.
-pub(crate) const SAMPLES: u32 = 4;
+/// How a device draws the samples of a picture's pixels, four each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Sampling {
+    /// Samples that the hardware keeps of a pixel.
+    pub of_hardware: u32,
+    /// Samples beside each other that are drawn as pixels of their own, in place of one.
+    pub across: u32,
+}
+
+impl Sampling {
+    /// The shaders choose the samples of a pixel.
+    pub const CHOSEN: Self = Self { of_hardware: 4, across: 1 };
+    /// Each sample is a pixel of a picture of twice the size.
+    pub const AS_PIXELS: Self = Self { of_hardware: 1, across: 2 };
+    /// One in the middle of each pixel: numbers are not averaged.
+    pub const MIDDLE: Self = Self { of_hardware: 1, across: 1 };
+
+    /// Returns `constants` of shaders with the one that is this.
+    pub fn among(self, mut constants: Vec<Constant>) -> Vec<Constant> {
+        constants.push(("ACROSS", self.across.into()));
+        constants
+    }
+}
+
 pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Written as linear light; the hardware encodes, and blends and averages in linear light.
 pub(crate) const LINEAR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
@@ -43,21 +66,24 @@ pub struct EyeTarget {
 pub(crate) struct BodyLayers {
     /// The bodies alone, premultiplied by coverage, in linear light.
     pub bodies: wgpu::TextureView,
-    pub samples: wgpu::TextureView,
+    /// Their samples, where the hardware averages these.
+    pub samples: Option<wgpu::TextureView>,
     pub depth: wgpu::TextureView,
 }
 
 impl BodyLayers {
     fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
         use wgpu::TextureUsages as Usage;
+        let Sampling { of_hardware, across } = gpu.sampling();
+        let size = size.map(|side| side * across);
         let layer = |label, samples, format, usage| {
             let texture = texture(gpu, label, size, samples, format, Usage::RENDER_ATTACHMENT | usage);
             texture.create_view(&wgpu::TextureViewDescriptor::default())
         };
         Self {
             bodies: layer("bodies", 1, LINEAR_FORMAT, Usage::TEXTURE_BINDING),
-            samples: layer("samples", SAMPLES, LINEAR_FORMAT, Usage::empty()),
-            depth: layer("depth", SAMPLES, DEPTH_FORMAT, Usage::empty()),
+            samples: (of_hardware > 1).then(|| layer("samples", of_hardware, LINEAR_FORMAT, Usage::empty())),
+            depth: layer("depth", of_hardware, DEPTH_FORMAT, Usage::empty()),
         }
     }
 }

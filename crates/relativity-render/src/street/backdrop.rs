@@ -186,7 +186,7 @@ pub(crate) struct LastPass {
 }
 
 impl LastPass {
-    /// Returns the values of the constants of `shaders/backdrop.wgsl`.
+    /// Returns the values of the constants of `shaders/backdrop.wgsl`, but for the one on samples.
     pub fn constants(self) -> Vec<Constant> {
         let of_backdrop = [
             ("CONFORMAL", number(self.is_conformal)),

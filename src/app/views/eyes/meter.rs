@@ -64,7 +64,7 @@ impl Meter {
     /// Nothing is known yet of what `gpu` costs. Where that is software, its rays draw no preset sooner than
     /// the packets, if this machine `has_packets`: trials of them would only make pipelines.
     pub fn new(gpu: &Gpu, has_packets: bool) -> Self {
-        let has_rays = gpu.has_rays() && !(gpu.is_software() && has_packets);
+        let has_rays = !(gpu.is_software() && has_packets);
         let automatic = Automatic::new(Machine::from_gpu(Some(gpu))).with_rays(has_rays);
         let (sender, measured) = channel();
         Self {

@@ -78,11 +78,7 @@ pub const TECHNIQUE: Technique = Technique {
 
 /// Returns the technique that draws a group on `gpu` which `view` is of.
 pub fn technique(gpu: &Gpu, view: &GroupView) -> Technique {
-    if is_for_rays(gpu, view) { rays::technique(gpu) } else { TECHNIQUE }
-}
-
-fn is_for_rays(gpu: &Gpu, view: &GroupView) -> bool {
-    gpu.has_rays() && view.is_straight_among_bent()
+    if view.is_straight_among_bent() { rays::technique(gpu) } else { TECHNIQUE }
 }
 
 impl MeshRenderer {
@@ -98,8 +94,8 @@ impl MeshRenderer {
 impl Drawing for MeshRenderer {
     fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
         let Beside { rays, vertices: theirs } = &mut self.beside;
-        rays.load_groups(gpu, theirs, shot, |view| is_for_rays(gpu, view));
-        self.parts.refill(shot, |view| !is_for_rays(gpu, view));
+        rays.load_groups(gpu, theirs, shot, GroupView::is_straight_among_bent);
+        self.parts.refill(shot, |view| !view.is_straight_among_bent());
         self.batches.refill(gpu, vertices, shot, self.parts.runs());
         self.templates.retain(|grid, _| match grid {
             Grid::Shape(..) => true,

@@ -11,6 +11,7 @@ use crate::gpu::canvas::Canvas;
 use crate::gpu::device::Gpu;
 use crate::gpu::drawing::{Batches, Drawing, Shot};
 use crate::gpu::pipelines::{Pipelines, Technique};
+use crate::gpu::target::Sampling;
 use crate::view::group_view::GroupView;
 use pieces::Pieces;
 pub use pieces::{Bounds, Piece};
@@ -38,7 +39,7 @@ pub const TECHNIQUE: Technique = Technique {
 
 /// Returns the technique on `gpu`.
 pub fn technique(gpu: &Gpu) -> Technique {
-    let picture = if gpu.has_sample_masks() { TECHNIQUE.picture } else { "picture_sample" };
+    let picture = if gpu.sampling() == Sampling::AS_PIXELS { "sample" } else { TECHNIQUE.picture };
     Technique { picture, ..TECHNIQUE }
 }
 
