@@ -1,22 +1,24 @@
 //! The window on a screen of a phone: all parts have room, and a newcomer makes a prediction.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Rect, pos2, vec2};
+use eframe::egui::{Event, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::commands::WindowCommand;
 use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::overlay::Overlay;
+use gamow::app::state::riding::saddle::RideCommand;
 use gamow::lesson::{Library, Outcome};
 use gamow::settings::Settings;
 
 use super::Test;
-use super::support::{drag, pane, slider, window_of_size};
+use super::support::{assert_sane, drag, pane, slider, window_of_size};
 
 pub const TESTS: &[Test] = trials![
     a_newcomer_makes_the_first_prediction_on_a_phone,
     a_phone_has_a_bar_without_overlaps_and_a_speed_slider,
+    two_thumbs_ride,
 ];
 
 /// Width and height of a small phone's screen, points.
@@ -86,4 +88,59 @@ fn a_phone_has_a_bar_without_overlaps_and_a_speed_slider() {
     assert!(rail.width() >= 300.0 && rail.min.y >= pane(&window, 1).max.y, "{rail:?}");
     drag(&mut window, rail.left_center() + vec2(20.0, 0.0), rail.right_center() - vec2(20.0, 0.0));
     assert!(speed(&window) > before.max(0.99));
+}
+
+fn touch(window: &Harness<'_, App>, finger: u64, phase: TouchPhase, pos: Pos2) {
+    window.event(Event::Touch { device_id: TouchDeviceId(0), id: TouchId(finger), phase, pos, force: None });
+}
+
+/// One thumb pedals while the other looks around; one alone brakes; and nothing is there without a screen
+/// that knows touches.
+fn two_thumbs_ride() {
+    let mut window = phone(State::open(Settings::default()).expect("usual settings"));
+    window.state_mut().run(RideCommand::Toggle);
+    window.run_steps(2);
+    assert!(window.query_by_label("Pedal: hold").is_none());
+    // The page tells the toolkit so of a touch screen.
+    touch(&window, u64::MAX, TouchPhase::Cancel, Pos2::ZERO);
+    window.run_steps(2);
+    let place = |window: &Harness<'_, App>, name: &str| {
+        let place = window.get_by_role_and_label(Role::Button, name).rect();
+        assert!(place.width() >= 44.0 && place.height() >= 44.0, "{name} is small: {place}");
+        place.center()
+    };
+    let [pedal, brake] = ["Pedal: hold", "Brake: hold"].map(|name| place(&window, name));
+    let rapidity = |window: &Harness<'_, App>| window.state().state().rider().velocity.rapidity();
+    let gaze = |window: &Harness<'_, App>| window.state().state().gaze().azimuth;
+
+    touch(&window, 1, TouchPhase::Start, pedal);
+    window.run_steps(20);
+    let pushed = rapidity(&window);
+    assert!(pushed > 0.05, "{pushed}");
+    let (before, field) = (gaze(&window), window.state().state().document.settings.look.fov);
+    let from = pane(&window, 0).center();
+    touch(&window, 2, TouchPhase::Start, from);
+    window.step();
+    touch(&window, 2, TouchPhase::Move, from + vec2(40.0, 0.0));
+    window.step();
+    touch(&window, 2, TouchPhase::End, from + vec2(40.0, 0.0));
+    window.run_steps(2);
+    // What is under the thumb follows it: the gaze turns to the left.
+    assert!(gaze(&window) > before + 0.05, "{} after {before}", gaze(&window));
+    assert_eq!(window.state().state().document.settings.look.fov, field, "two thumbs do not pinch");
+    assert!(rapidity(&window) > pushed, "the first goes on");
+    touch(&window, 1, TouchPhase::End, pedal);
+    window.run_steps(2);
+
+    touch(&window, 3, TouchPhase::Start, brake);
+    window.run_steps(60);
+    assert!(rapidity(&window).abs() < 1e-12, "who brakes long enough stands");
+    touch(&window, 3, TouchPhase::End, brake);
+    window.run_steps(2);
+    assert_sane(window.state().state());
+    if let Some(path) = std::env::var_os("LOOK") {
+        touch(&window, 1, TouchPhase::Start, pedal);
+        window.run_steps(3);
+        window.render().expect("a picture").save(path).expect("saved");
+    }
 }

@@ -302,6 +302,29 @@ export class Window {
         }, picture);
     }
 
+    // The mean difference of two PNGs of one size as base64, levels of 255.
+    difference(pictures) {
+        return this.page.evaluate(async pictures => {
+            const [a, b] = await Promise.all(pictures.map(async picture => {
+                const bytes = Uint8Array.from(atob(picture), letter => letter.charCodeAt(0));
+                const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+                const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), pen = canvas.getContext('2d');
+                pen.drawImage(bitmap, 0, 0);
+                return pen.getImageData(0, 0, bitmap.width, bitmap.height).data;
+            }));
+            return a.reduce((sum, level, i) => sum + Math.abs(level - b[i]), 0) / a.length;
+        }, pictures);
+    }
+
+    // The middle of the element of this name, which the window mirrors for screen readers.
+    async middle(name) {
+        await this.has(name);
+        return this.page.evaluate(name => {
+            const { x, y, width, height } = document.querySelector(`#mirror [aria-label="${name}"]`).getBoundingClientRect();
+            return [x + width / 2, y + height / 2];
+        }, name);
+    }
+
     // The number of pictures that workers have drawn.
     answers() {
         return this.page.evaluate(() => globalThis.answers);

@@ -147,6 +147,29 @@ test('keys walk, each its own way', () => inWindow('#scene=street&refine=off', a
     }
 }));
 
+test('two thumbs ride: one holds a pedal, the other looks around', async () => {
+    const window = await Window.open(browser, server.address, '#scene=street&ride=coast&ride-from=-20&layout=left&refine=off', coarse);
+    await window.page.setViewport({ width: 360, height: 740, deviceScaleFactor: 0 });
+    await window.rest(2500);
+    const legs = async () => (await window.settings()).get('ride') ?? '';
+    const gaze = async () => (await window.settings()).get('gaze') ?? '';
+    const before = await gaze();
+    const pedal = await window.page.touchscreen.touchStart(...await window.middle('Pedal: hold'));
+    await eventually('a push', async () => (await legs()).includes('@0.25'));
+    const other = await window.page.touchscreen.touchStart(150, 180);
+    for (let x = 150; x <= 210; x += 10) {
+        await other.move(x, 180);
+        await window.rest(60);
+    }
+    await other.end();
+    await eventually('another gaze', async () => await gaze() !== before);
+    await pedal.end();
+    const brake = await window.page.touchscreen.touchStart(...await window.middle('Brake: hold'));
+    await eventually('the brake', async () => (await legs()).includes('@-0.25'));
+    await brake.end();
+    await window.close();
+});
+
 test('the numbers of a curve are those of the desktop, digit by digit', { skip: !existsSync(GAMOW) && `no ${GAMOW}` }, () => {
     return inWindow('#scene=cube&beta=0.9&point=0,6,0.5', async window => {
         const { name, bytes } = await window.saved('save the plots as a table');
@@ -715,6 +738,22 @@ test("other pages' caches stay, and nothing outside of the page's own server is 
     window.problems.length = 0;
     await window.close();
     site.close();
+});
+
+test('by WebGL the rays draw what the packets draw', async () => {
+    const pictures = [];
+    for (const renderer of ['packets', 'rays']) {
+        const window = await Window.open(browser, server.address, `#scene=street&beta=0.6&refine=off&renderer=${renderer}`);
+        await eventually('a picture', async () => await window.colours(VIEWS) > 200);
+        await window.rest(3000);
+        pictures.push(await window.page.screenshot({ type: 'png', encoding: 'base64', clip: { x: 20, y: 90, width: 420, height: 190 } }));
+        assert.equal(await window.problem(), '');
+        if (pictures.length === 2) {
+            const levels = await window.difference(pictures);
+            assert.ok(levels > 0 && levels < 2, `${levels} levels of 255`);
+        }
+        await window.close();
+    }
 });
 
 test('a screen of two pixels a point is drawn sharply', async () => {

@@ -2,6 +2,7 @@
 
 use eframe::egui::{Context, Event, InputState, Key};
 
+use super::thumbs;
 use crate::app::commands::choice_keys;
 use crate::app::commands::{Command, GazeCommand, LOOK_STEP};
 use crate::app::state::State;
@@ -17,11 +18,21 @@ const WALKS: [(Key, [i16; 2]); 4] =
     [(Key::W, [0, 1]), (Key::A, [-1, 0]), (Key::S, [0, -1]), (Key::D, [1, 0])];
 
 /// Keys that belong to the ride, in words, a line each.
-pub const TOLD: &[&str] = &[
+const TOLD: &[&str] = &[
     "hold ↑ to pedal, ↓ to brake",
     "← → or drag: look    shift I: face ahead",
     "W A S D: walk    H: this again",
 ];
+
+/// The same for two thumbs.
+const TOLD_TO_THUMBS: &[&str] = &["hold ▲ to pedal, ▼ to brake", "drag, also with the other thumb: look"];
+
+/// Returns what belongs to the ride, in words, a line each: keys, or where the screen of `ctx` knows touches
+/// what thumbs do.
+#[must_use]
+pub fn told(ctx: &Context) -> &'static [&'static str] {
+    if thumbs::are_there(ctx) { TOLD_TO_THUMBS } else { TOLD }
+}
 
 /// Returns whether `event` presses a key that belongs to the ride while one rides; what it asks for, where
 /// that is done at once.
@@ -39,10 +50,18 @@ pub fn taken(state: &State, event: &Event) -> Option<Option<(Key, Command)>> {
     pushes.any(|push| push == key).then_some(None)
 }
 
-/// The direction in which keys push just now, if they do.
+/// The direction in which keys or thumbs push just now, if they do.
 #[must_use]
 pub fn held(ctx: &Context, state: &State) -> Option<PushDirection> {
-    if !state.document.settings.ride.is_on() || ctx.egui_wants_keyboard_input() {
+    thumbs::hear(ctx);
+    if !state.document.settings.ride.is_on() {
+        return None;
+    }
+    thumbs::held(ctx).or_else(|| held_keys(ctx, state))
+}
+
+fn held_keys(ctx: &Context, state: &State) -> Option<PushDirection> {
+    if ctx.egui_wants_keyboard_input() {
         return None;
     }
     let is_free = |key: Key| !choice_keys::takes(state, key);

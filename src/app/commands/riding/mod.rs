@@ -1,6 +1,7 @@
 //! Riding in the window: getting on and off, pedals and brakes.
 
 pub mod keys;
+pub mod thumbs;
 
 use relativity_core::math;
 use relativity_render::Colour;

@@ -6,6 +6,7 @@ use eframe::egui::{self, Align2, Color32, Galley, Id, Painter, Rect, Sense, Text
 
 use super::markers::marked;
 use super::notes::unseen;
+use super::pedals;
 use crate::app::state::State;
 use crate::app::tools::awake;
 use crate::app::views::instruments;
@@ -24,7 +25,9 @@ pub fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     // Only instruments, and what stands beside them, make way for what is marked.
     let marks_points =
         state.document.settings.ride.is_on() && (!is_before_audience || state.has_markers_for_audience());
+    let pedals = pedals::show(ui, state, pane);
     let marked = if marks_points { marked(state, pane) } else { Vec::new() };
+    let marked = [marked, pedals].concat();
     let instruments = instruments::show(ui, &inside, state, pane, &marked);
     let places = instruments.places.clone();
     // Before an audience what is to be said stands below the picture.

@@ -4,6 +4,7 @@
 mod captions;
 mod markers;
 mod notes;
+mod pedals;
 mod pointer;
 
 use eframe::egui::{self, Color32, Rect, Sense, Stroke, StrokeKind, TextureId, Ui, pos2};

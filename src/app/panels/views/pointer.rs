@@ -3,6 +3,7 @@
 use eframe::egui::{self, CursorIcon, Event, EventFilter, Key, Response, Sense, Ui};
 use relativity_core::math;
 
+use crate::app::commands::riding::thumbs;
 use crate::app::commands::{Command, GazeCommand, LOOK_STEP, PlaybackCommand, PointsCommand};
 use crate::app::panels::Commands;
 use crate::app::state::State;
@@ -36,9 +37,10 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, name: &str, commands:
     if state.scratch.angle_ruler.takes_drags() {
         measure(ui, &response, pane, commands);
     } else {
-        turn(&response, pane, commands);
+        turn(ui, &response, pane, commands);
     }
-    if response.hovered() {
+    // Two thumbs do not pinch while one pedals.
+    if response.hovered() && thumbs::held(ui.ctx()).is_none() {
         let scroll = f64::from(ui.input(|input| input.smooth_scroll_delta().y));
         let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
         let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
@@ -81,12 +83,14 @@ fn command_of(key: Key, with_shift: bool) -> Option<Command> {
     }
 }
 
-/// The scene follows the pointer: what is under it when a drag starts stays there.
-fn turn(response: &Response, pane: EyePane, commands: &mut Commands) {
-    let moved = response.drag_delta();
-    let Some(place) = response.interact_pointer_pos().filter(|_| response.dragged()) else { return };
-    if moved != egui::Vec2::ZERO {
-        let [from, to] = [place - moved, place].map(|place| pane.pixel(place));
+/// The scene follows the pointer: what is under it when a drag starts stays there. So it does the thumb beside
+/// one that pedals.
+fn turn(ui: &Ui, response: &Response, pane: EyePane, commands: &mut Commands) {
+    let place = response.interact_pointer_pos().filter(|_| response.dragged());
+    let dragged = place.map(|place| [place - response.drag_delta(), place]);
+    let Some(ends) = dragged.or_else(|| thumbs::looked(ui.ctx(), pane.rect)) else { return };
+    if ends[0] != ends[1] {
+        let [from, to] = ends.map(|place| pane.pixel(place));
         let EyePane { eye, is_second, size, .. } = pane;
         commands.push(GazeCommand::Turn(Turn { eye, is_second, from, to, size }).into());
     }

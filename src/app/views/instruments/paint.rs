@@ -10,6 +10,7 @@ use eframe::egui::{
 use super::dial;
 use super::places::Places;
 use super::values::Instruments;
+use crate::app::commands::riding::keys;
 use crate::app::state::State;
 use crate::app::tools::awake;
 use crate::app::views::panes::EyePane;
@@ -87,7 +88,7 @@ pub struct Shown {
 /// sight.
 #[must_use]
 pub fn show(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, free: &[Rect]) -> Shown {
-    let Some(instruments) = state.instruments() else { return Shown::default() };
+    let Some(instruments) = state.instruments(keys::told(ui.ctx())) else { return Shown::default() };
     let small = TextStyle::Small.resolve(ui.style()).size;
     let [width, height] = [pane.rect.width(), pane.rect.height()];
     let label = (LABEL_SHARE * height).min(LABEL_OF_WIDTH * width).max(small);

@@ -2,7 +2,6 @@
 
 use relativity_core::Odometers;
 
-use crate::app::commands::riding::keys;
 use crate::app::state::State;
 use crate::number_text;
 use crate::settings::Rider;
@@ -42,9 +41,10 @@ impl Instruments {
 }
 
 impl State {
-    /// Returns the instruments on the handlebar; `None` unless somebody rides.
+    /// Returns the instruments on the handlebar, with what is `told` of keys outside of presentations; `None`
+    /// unless somebody rides.
     #[must_use]
-    pub fn instruments(&self) -> Option<Instruments> {
+    pub fn instruments(&self, told: &'static [&'static str]) -> Option<Instruments> {
         let ride = &self.document.settings.ride;
         if !ride.is_on() {
             return None;
@@ -68,7 +68,7 @@ impl State {
             clock: time.text(self.document.time, 2),
             street_clock: time.text(street_time, 2),
             way: odometers.into_iter().chain([place]).collect(),
-            keys: if self.session.stage.is_presented() { &[] } else { keys::TOLD },
+            keys: if self.session.stage.is_presented() { &[] } else { told },
         })
     }
 }
