@@ -191,8 +191,8 @@ fn left_by_contacts(foot: vec2f, pixel: vec2f) -> f32 {
     // Of the pixel, too: a software GPU compiles anew for each number of rounds that only the frame decides.
     let count = select(0u, u32(frame.contact_eye.w), distance <= CONTACT_FARTHEST);
     for (var i = 0u; i < count; i++) {
-        let place = frame.contacts[i][0];
-        let size = frame.contacts[i][1];
+        let place = frame.contacts[2 * i];
+        let size = frame.contacts[2 * i + 1];
         let off = foot - place.xy;
         let wide = size.y + pixel.y * pixel.y;
         if off.y * off.y < wide {

@@ -55,7 +55,7 @@ fn body_of(fragment: Fragment) -> Body {
 const SAMPLE_U = vec4f(-0.125, 0.375, -0.375, 0.125);
 const SAMPLE_V = vec4f(-0.375, -0.125, 0.125, 0.375);
 
-// A sample of a picture: a fragment, where wgpu cannot choose the samples of a pixel, which is in OpenGL.
+// A sample of a picture.
 struct Sample {
     @location(0) colour: vec4f,
     @builtin(frag_depth) depth: f32,

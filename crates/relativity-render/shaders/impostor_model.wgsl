@@ -69,17 +69,7 @@ fn model_at(fragment: Fragment, place: vec2f) -> OfModel {
     );
 }
 
-@fragment
-fn picture(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
-    let middle = floor(pixel_at(fragment.position)) + 0.5;
-    return sample_at(fragment, middle + vec2f(SAMPLE_U[index], SAMPLE_V[index]));
-}
-
-@fragment
-fn sample(fragment: Fragment) -> Sample {
-    return sample_at(fragment, pixel_at(fragment.position));
-}
-
+// The sample at this place, px.
 fn sample_at(fragment: Fragment, place: vec2f) -> Sample {
     let hit = model_at(fragment, place);
     let body = body_of(fragment);

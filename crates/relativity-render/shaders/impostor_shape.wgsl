@@ -1,6 +1,6 @@
 // What the pixels of a rectangle show of a body with a shape of its own.
 
-// What a pixel shows of a body, how deep inside the outline its middle lies, and how fast that changes from
+// What is seen of a body at a place, how deep inside the outline that lies, and how fast that changes from
 // pixel to pixel; in pixels.
 struct Shaded {
     colour: vec4f,
@@ -9,9 +9,8 @@ struct Shaded {
     gradient: vec2f,
 }
 
-fn shaded(fragment: Fragment) -> Shaded {
-    let pixel = pixel_at(fragment.position);
-    let ray = rest_ray(pixel);
+fn shaded(fragment: Fragment, place: vec2f) -> Shaded {
+    let ray = rest_ray(place);
     let body = body_of(fragment);
     let spin = spin_of(fragment.spin, fragment.rim);
     let hit = surface_when_shown(body, ray, spin);
@@ -34,7 +33,7 @@ fn shaded(fragment: Fragment) -> Shaded {
     let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
     let facing = facing_of(body, hit.place, hit.normal, spin);
     let paint = vec4f(1.0, 1.0, 1.0, -1.0);
-    var colour = received_colour(fragment.light, paint, doppler, hit.normal, facing, pixel)
+    var colour = received_colour(fragment.light, paint, doppler, hit.normal, facing, floor(place) + 0.5)
         * fragment.index_brightness.y;
     if PATTERNS {
         let there = standing(body, hit.place, spin);
@@ -44,23 +43,9 @@ fn shaded(fragment: Fragment) -> Shaded {
     return Shaded(vec4f(colour * alpha, alpha), depth(ray, hit.beyond), clearance, gradient);
 }
 
-struct Picture {
-    @location(0) colour: vec4f,
-    @builtin(frag_depth) depth: f32,
-    @builtin(sample_mask) samples: u32,
-}
-
-@fragment
-fn picture(fragment: Fragment) -> Picture {
-    let shaded = shaded(fragment);
-    let clearances = vec4f(shaded.clearance) + shaded.gradient.x * SAMPLE_U + shaded.gradient.y * SAMPLE_V;
-    let inside = select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), clearances > vec4f(0.0));
-    return Picture(shaded.colour, shaded.depth, inside.x + inside.y + inside.z + inside.w);
-}
-
-@fragment
-fn sample(fragment: Fragment) -> Sample {
-    let shaded = shaded(fragment);
+// The sample at this place, px.
+fn sample_at(fragment: Fragment, place: vec2f) -> Sample {
+    let shaded = shaded(fragment, place);
     if !(shaded.clearance > 0.0) {
         discard;
     }

@@ -1,10 +1,14 @@
 //! Every shader, parsed and validated without a device; and what it shares with Rust against Rust's side of
 //! it.
 
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::back::PipelineConstants;
+use naga::back::glsl;
+use naga::back::pipeline_constants::process_overrides;
+use naga::proc::BoundsCheckPolicies;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{
-    AddressSpace, Binding, Block, Expression, Function, Handle, Module, ScalarKind, Statement, StructMember,
-    TypeInner,
+    AddressSpace, Binding, Block, EntryPoint, Expression, Function, Handle, Module, ScalarKind, Statement,
+    StructMember, TypeInner,
 };
 use relativity_render::gpu::mirrors::{self, Mirror, Shader};
 use wgpu::VertexFormat;
@@ -16,6 +20,44 @@ fn every_shader_is_valid() {
             .validate(&module(&shader));
         assert!(validated.is_ok(), "{}: {:?}", shader.name, validated.err());
     }
+}
+
+/// A browser's WebGL 2 has neither sample masks nor indices of samples.
+#[test]
+fn all_but_what_chooses_samples_can_be_said_in_webgl() {
+    for shader in mirrors::shaders().iter().filter(|shader| !shader.name.starts_with("impostor of")) {
+        let module = module(shader);
+        let validated = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
+        let info = validated.unwrap_or_else(|error| panic!("{}: {error:?}", shader.name));
+        let constants = shader.constants.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
+        for entry in &module.entry_points {
+            let said = webgl(&module, &info, &constants, entry);
+            assert!(said.is_ok(), "{} of {}: {:?}", entry.name, shader.name, said.err());
+        }
+    }
+}
+
+fn webgl(
+    module: &Module,
+    info: &ModuleInfo,
+    constants: &PipelineConstants,
+    entry: &EntryPoint,
+) -> Result<String, String> {
+    let point = Some((entry.stage, entry.name.as_str()));
+    let (module, info) =
+        process_overrides(module, info, point, constants).map_err(|error| error.to_string())?;
+    let options = glsl::Options {
+        version: glsl::Version::Embedded { version: 300, is_webgl: true },
+        ..glsl::Options::default()
+    };
+    let pipeline =
+        glsl::PipelineOptions { shader_stage: entry.stage, entry_point: entry.name.clone(), multiview: None };
+    let mut text = String::new();
+    let policies = BoundsCheckPolicies::default();
+    glsl::Writer::new(&mut text, &module, &info, &options, &pipeline, policies)
+        .and_then(|mut writer| writer.write())
+        .map_err(|error| error.to_string())?;
+    Ok(text)
 }
 
 #[test]

@@ -3,9 +3,9 @@
 use crate::shaders::{Source, source};
 
 /// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the
-/// pixels of that, for the corners and for patterns.
+/// pixels of that, for those where shaders choose the samples of a pixel, for the corners and for patterns.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $kind:ident: [$($test:literal),+], [$($pixels:literal),+], [$($corners:literal),+], $pattern:literal;)+) => {
+    ($($(#[$doc:meta])* $kind:ident: [$($test:literal),+], [$($pixels:literal),+], $chosen:literal, [$($corners:literal),+], $pattern:literal;)+) => {
         /// A kind of shape.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Kind {
@@ -16,11 +16,20 @@ macro_rules! kinds {
             /// Every kind of shape.
             pub const ALL: &[Self] = &[$(Self::$kind),+];
 
-            /// Returns the shader of the rays.
+            /// Returns the shader of the rays, which chooses the samples of a pixel.
             pub const fn impostor(self) -> Source {
                 match self {
                     $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+, $chosen
+                    ),)+
+                }
+            }
+
+            /// Returns the shader of the rays where each sample is drawn as a pixel.
+            pub const fn impostor_as_pixels(self) -> Source {
+                match self {
+                    $(Self::$kind => source!(
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+, "impostor_as_pixels"
                     ),)+
                 }
             }
@@ -39,13 +48,13 @@ macro_rules! kinds {
 
 kinds! {
     /// A tube with rounded ends; a ball is one without a length.
-    Tube: ["tube", "turning_shape"], ["impostor_shape"], ["mesh_tube", "mesh_shape"], "pattern_tube";
+    Tube: ["tube", "turning_shape"], ["impostor_shape"], "impostor_shape_chosen", ["mesh_tube", "mesh_shape"], "pattern_tube";
     /// A torus, as the shape `Ring`.
-    Ring: ["ring", "turning_shape"], ["impostor_shape"], ["mesh_ring", "mesh_shape"], "pattern_ring";
+    Ring: ["ring", "turning_shape"], ["impostor_shape"], "impostor_shape_chosen", ["mesh_ring", "mesh_shape"], "pattern_ring";
     /// A box, as the shape `Box`.
-    Box: ["box", "turning_shape"], ["impostor_shape"], ["mesh_box", "mesh_shape"], "pattern_box";
+    Box: ["box", "turning_shape"], ["impostor_shape"], "impostor_shape_chosen", ["mesh_box", "mesh_shape"], "pattern_box";
     /// A cylinder with flat ends.
-    Cylinder: ["cylinder", "turning_shape"], ["impostor_shape"], ["mesh_cylinder", "mesh_shape"], "pattern_cylinder";
+    Cylinder: ["cylinder", "turning_shape"], ["impostor_shape"], "impostor_shape_chosen", ["mesh_cylinder", "mesh_shape"], "pattern_cylinder";
     /// A model of triangles, in its box.
-    Model: ["models", "textures", "model"], ["models_turning", "impostor_model"], ["mesh_model"], "pattern_box";
+    Model: ["models", "textures", "model"], ["models_turning", "impostor_model"], "impostor_model_chosen", ["mesh_model"], "pattern_box";
 }

@@ -19,7 +19,7 @@ impl fmt::Debug for PendingReadbacks {
 }
 
 impl PendingReadbacks {
-    /// Returns the last refusal in answer `to` these questions and to earlier ones, as far as it is there.
+    /// Returns the first refusal in answer `to` these questions and to earlier ones, as far as it is there.
     pub fn to(
         &self,
         questions: impl IntoIterator<Item = impl Future<Output = Option<wgpu::Error>> + Send + 'static>,
@@ -30,7 +30,7 @@ impl PendingReadbacks {
         awaited.retain_mut(|answer| match answer.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
             Poll::Pending => true,
             Poll::Ready(answer) => {
-                refusal = answer.or(refusal.take());
+                refusal = refusal.take().or(answer);
                 false
             }
         });

@@ -110,8 +110,12 @@ pub fn shaders() -> Vec<Shader> {
         constants: compose::ComposeVariant::Rows.constants().to_vec(),
     };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
-        [("impostor", rays::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]
-            .map(|(name, technique)| of_bodies(kind, name, &technique))
+        [
+            ("impostor", rays::TECHNIQUE),
+            ("impostor as pixels", rays::TECHNIQUE_AS_PIXELS),
+            ("mesh", mesh::TECHNIQUE),
+        ]
+        .map(|(name, technique)| of_bodies(kind, name, &technique))
     });
     bodies.chain([backdrop, compose]).collect()
 }

@@ -25,8 +25,6 @@ pub struct Technique {
     pub buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
     /// Assembly of vertices into triangles.
     pub primitive: wgpu::PrimitiveState,
-    /// Entry point of the fragment stage of a picture.
-    pub picture: &'static str,
     /// The constant that no other technique's shaders have, if there is one.
     pub constant: Option<fn(Key) -> Constant>,
 }
@@ -119,7 +117,7 @@ impl Technique {
     fn made(&self, gpu: &Gpu, layout: &wgpu::PipelineLayout, key: Key) -> wgpu::RenderPipeline {
         let (entry_point, sampling, targets) = match key.output {
             Output::Picture { is_thin, .. } => {
-                (self.picture, gpu.sampling(), vec![Some(linear_target(is_thin))])
+                ("picture", gpu.sampling(), vec![Some(linear_target(is_thin))])
             }
             Output::Hits => ("hits", Sampling::MIDDLE, vec![Some(MEASURES_FORMAT.into()); 2]),
         };

@@ -22,7 +22,8 @@ pub const WHAT: [&str; 8] = [
     "The map shows what happens meanwhile: where things are measured now, where each eye sees them, and \
         where two eyes place them.",
     "Key I puts you on a bicycle: hold the up and down arrow keys to pedal and to brake, and the street \
-        rides past you. All times are then those of your own clock.",
+        rides past you. A screen that knows touches has pedals in the picture. All times are then those of your own \
+        clock.",
 ];
 
 /// Table of terms in the glossary: the same text as in the documentation.

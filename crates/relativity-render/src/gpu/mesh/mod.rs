@@ -72,7 +72,6 @@ pub const TECHNIQUE: Technique = Technique {
     vertex: "corner",
     buffers: &[Some(Corner::LAYOUT), Some(MeshInstance::LAYOUT)],
     primitive: wgpu::PrimitiveState { cull_mode: Some(wgpu::Face::Back), ..Technique::TRIANGLES },
-    picture: "picture",
     constant: Some(|key| ("MAP", key.geometry.map_number())),
 };
 

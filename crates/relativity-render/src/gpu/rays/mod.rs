@@ -33,14 +33,15 @@ pub const TECHNIQUE: Technique = Technique {
         topology: wgpu::PrimitiveTopology::TriangleStrip,
         ..Technique::TRIANGLES
     },
-    picture: "picture",
     constant: None,
 };
 
+/// The same where each sample of a pixel is drawn as a pixel.
+pub const TECHNIQUE_AS_PIXELS: Technique = Technique { source: Kind::impostor_as_pixels, ..TECHNIQUE };
+
 /// Returns the technique on `gpu`.
 pub fn technique(gpu: &Gpu) -> Technique {
-    let picture = if gpu.sampling() == Sampling::AS_PIXELS { "sample" } else { TECHNIQUE.picture };
-    Technique { picture, ..TECHNIQUE }
+    if gpu.sampling() == Sampling::AS_PIXELS { TECHNIQUE_AS_PIXELS } else { TECHNIQUE }
 }
 
 impl RayRenderer {
