@@ -29,7 +29,7 @@ impl Composed {
     #[must_use]
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
         use wgpu::TextureUsages as Usage;
-        let size = size.map(|side| side.clamp(1, gpu.largest_side()));
+        let size = size.map(|side| side.clamp(1, gpu.largest_texture()));
         let usage = Usage::RENDER_ATTACHMENT | Usage::TEXTURE_BINDING | Usage::COPY_SRC;
         let picture = target::texture(gpu, "composed", size, 1, ENCODED_FORMAT, usage);
         let composing = gpu.device.create_buffer(&wgpu::BufferDescriptor {

@@ -7,7 +7,7 @@ use super::answers::PendingReadbacks;
 use super::device_cache::DeviceCache;
 use super::device_errors::ErrorScopes;
 use super::error::GpuError;
-use super::target::Sampling;
+use super::sampling::Sampling;
 use crate::shaders::Source;
 
 /// Returns the part of an adapter's name that the environment asks for, in lower case; `None` if it asks for
@@ -117,7 +117,12 @@ impl Gpu {
     /// Largest width and height of a picture, pixels.
     #[must_use]
     pub fn largest_side(&self) -> u32 {
-        self.device.limits().max_texture_dimension_2d / self.sampling().across
+        self.largest_texture() / self.sampling().across
+    }
+
+    /// Largest width and height of a texture, texels.
+    pub(crate) fn largest_texture(&self) -> u32 {
+        self.device.limits().max_texture_dimension_2d
     }
 
     /// Returns a description of the device, e.g. "llvmpipe (Vulkan)".

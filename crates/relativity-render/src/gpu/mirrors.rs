@@ -7,7 +7,7 @@ use super::device::Gpu;
 use super::mesh::MeshInstance;
 use super::pipelines::Technique;
 use super::rays::Piece;
-use super::target::Sampling;
+use super::sampling::Sampling;
 use super::{mesh, rays};
 use crate::frame::pipeline_key::{Key, Output};
 use crate::frame::uniform::FrameUniform;

@@ -16,4 +16,5 @@ mod models;
 mod pipelines;
 pub(crate) mod preparation;
 pub(crate) mod rays;
+mod sampling;
 pub(crate) mod target;

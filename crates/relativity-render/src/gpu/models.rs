@@ -49,7 +49,7 @@ impl Models {
         if are_same(&wanted, self.too_large.iter()) {
             return false;
         }
-        let Some(Arranged { rows, size, texels }) = Arranged::new(&wanted, gpu.largest_side()) else {
+        let Some(Arranged { rows, size, texels }) = Arranged::new(&wanted, gpu.largest_texture()) else {
             self.too_large = wanted.into_iter().map(Arc::downgrade).collect();
             return false;
         };

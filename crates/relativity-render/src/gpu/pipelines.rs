@@ -4,7 +4,8 @@
 use std::collections::HashMap;
 
 use super::device::Gpu;
-use super::target::{DEPTH_FORMAT, MEASURES_FORMAT, Sampling, linear_target};
+use super::sampling::Sampling;
+use super::target::{DEPTH_FORMAT, MEASURES_FORMAT, linear_target};
 use crate::frame::pipeline_key::{AmongOthers, Key, Output};
 use crate::geometry::kind::Kind;
 use crate::light::tone;

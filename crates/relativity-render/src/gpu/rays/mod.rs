@@ -11,7 +11,7 @@ use crate::gpu::canvas::Canvas;
 use crate::gpu::device::Gpu;
 use crate::gpu::drawing::{Batches, Drawing, Shot};
 use crate::gpu::pipelines::{Pipelines, Technique};
-use crate::gpu::target::Sampling;
+use crate::gpu::sampling::Sampling;
 use crate::view::group_view::GroupView;
 use pieces::Pieces;
 pub use pieces::{Bounds, Piece};
