@@ -56,7 +56,7 @@ fn the_window_at_its_start_shows_what_is_rendered_to_the_last_digit() {
     let cases = cases.flat_map(|case| [0.0, 0.1, 2.0, 10.0].map(|d| (case, d)));
     let geometries = Geometry::value_variants();
     let cases = cases.flat_map(|case| geometries.iter().map(move |&geometry| (case, geometry)));
-    for (((scene, (parameter, value)), d), geometry) in sweep(0, 16, cases) {
+    for (((scene, (parameter, value)), d), geometry) in sweep(0, 48, cases) {
         let mut settings = Settings { scene: scene.to_owned(), ..Settings::default() };
         settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
         settings.motion.d = d;

@@ -41,8 +41,13 @@ for (const event of ['error', 'unhandledrejection']) {
         }
     });
 }
-// The window itself is not told of it.
+// The window itself is not told of it, and asks for less of the graphics when the page is loaded again.
 document.getElementById('gamow').addEventListener('webglcontextlost', () => {
+    try {
+        sessionStorage.setItem('gamow/graphics-lost', 'yes');
+    } catch (error) {
+        console.warn(error);
+    }
     showProblem('The browser has taken the graphics away. What was shown is in the address.');
 });
 

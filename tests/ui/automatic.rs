@@ -23,7 +23,6 @@ pub const TESTS: &[Test] = trials![
     what_was_chosen_and_why_is_said,
     a_goal_that_cannot_be_is_refused,
     what_a_gpu_in_software_draws_is_whole_at_rest,
-    what_a_gpu_in_software_draws_is_whole_at_rest,
 ];
 
 /// A small window whose pictures may get smoother.

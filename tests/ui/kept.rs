@@ -6,7 +6,7 @@ use egui_kittest::wgpu::WgpuTestRenderer;
 use gamow::app::shell::App;
 use gamow::flags::choices::RendererChoice;
 
-use super::support::{builder, cyclist, wait_for};
+use super::support::{builder, cyclist, sweep, wait_for};
 use super::{Test, device};
 
 pub const TESTS: &[Test] = trials![switches_keep_nothing_on_the_device,];
@@ -37,7 +37,11 @@ fn live(instance: &wgpu::Instance) -> [(&'static str, usize); 7] {
 }
 
 fn switches_keep_nothing_on_the_device() {
-    for renderer in [RendererChoice::Rays, RendererChoice::Mesh, RendererChoice::Packets] {
+    // By day each switch with one of the renderers, at night with all.
+    let parts = sweep([3, 1]);
+    for (number, renderer) in
+        [RendererChoice::Rays, RendererChoice::Mesh, RendererChoice::Packets].into_iter().enumerate()
+    {
         let render_state = device::own().expect("there is a device");
         let instance = render_state.instance.clone();
         let mut state = cyclist(0.9);
@@ -47,9 +51,9 @@ fn switches_keep_nothing_on_the_device() {
                 |cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement(),
             );
         harness.run_steps(3);
-        for switch in SWITCHES {
+        for switch in SWITCHES.iter().skip(number % parts).step_by(parts) {
             let mut round = || {
-                for key in switch {
+                for key in *switch {
                     harness.key_press(*key);
                     harness.run_steps(2);
                 }

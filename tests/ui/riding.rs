@@ -55,7 +55,7 @@ fn state<'a>(window: &'a Harness<'_, App>) -> &'a State {
 }
 
 fn pedals_and_brakes_are_recorded_as_they_are_pushed() {
-    let mut window = window(street());
+    let mut window = window_without_pictures(street(), [800.0, 600.0]);
     window.key_press(Key::I);
     window.run_steps(2);
     assert!(state(&window).document.settings.ride.is_on() && state(&window).scratch.playing);
@@ -130,7 +130,7 @@ fn who_walks_goes_where_they_look_and_leaves_the_bicycle() {
         let legs = state(window).document.settings.ride.ride.0.clone().expect("it is on");
         *legs.iter().rfind(|leg| leg.duration > 0.3).expect("it was pushed")
     };
-    let mut window = window(street());
+    let mut window = window_without_pictures(street(), [800.0, 600.0]);
     window.key_press(Key::I);
     window.run_steps(2);
     let (bodies, push) =

@@ -658,6 +658,7 @@ test('a lost context is told in a sentence, and the state is in the address', as
     });
     await eventually('a sentence', async () => /graphics/.test(await window.problem()));
     assert.equal((await window.settings()).get('beta'), '0.8');
+    assert.equal(await window.page.evaluate(() => sessionStorage.getItem('gamow/graphics-lost')), 'yes');
     await Promise.all([window.page.waitForNavigation(), window.page.click('#problem button')]);
     await window.shown();
     assert.equal(await window.problem(), '');

@@ -15,16 +15,16 @@ pub struct ShippedFile {
 }
 
 impl ShippedFile {
-    /// Returns the bytes of the file; `None` while they come, and for ever if they cannot. `then` is called once
-    /// those have come that were not there.
+    /// Returns the bytes of the file; `None` while they come, and for ever if they cannot. `then` is called
+    /// once those have come that were not there.
     #[cfg(not(target_arch = "wasm32"))]
     #[must_use]
     pub fn bytes(&self, _then: impl FnOnce() + 'static) -> Option<&'static [u8]> {
         Some(self.within)
     }
 
-    /// Returns the bytes of the file; `None` while they come, and for ever if they cannot. `then` is called once
-    /// those have come that were not there.
+    /// Returns the bytes of the file; `None` while they come, and for ever if they cannot. `then` is called
+    /// once those have come that were not there.
     #[cfg(target_arch = "wasm32")]
     #[must_use]
     pub fn bytes(&self, then: impl FnOnce() + 'static) -> Option<&'static [u8]> {

@@ -66,6 +66,12 @@ impl App {
         Self { refines: false, eyes: self.eyes.map(EyePictures::in_full), ..self }
     }
 
+    /// Returns this window with rays only where somebody asks for them.
+    #[must_use]
+    pub fn without_automatic_rays(self) -> Self {
+        Self { eyes: self.eyes.map(EyePictures::without_automatic_rays), ..self }
+    }
+
     /// Whether pictures are as smooth as they get.
     #[must_use]
     pub fn is_refined(&self) -> bool {

@@ -1,5 +1,6 @@
-//! Writes that fail after each number of bytes.
+//! Writes that fail at, within and before the end of each piece that is written.
 
+use std::collections::BTreeSet;
 use std::io::{Cursor, Seek, SeekFrom};
 
 use csv::ByteRecord;
@@ -15,16 +16,25 @@ use crate::files::{gif, mp4, png};
 trait Place: Write + Seek {}
 impl<P: Write + Seek> Place for P {}
 
-/// A place that takes this number of further bytes, wherever they go.
+/// A place that takes this number of further bytes, wherever they go, and notes how many are left after each
+/// piece.
 struct Failing<P> {
     to: P,
     left: usize,
+    ends: Vec<usize>,
+}
+
+impl<P> Failing<P> {
+    fn new(to: P, left: usize) -> Self {
+        Self { to, left, ends: Vec::new() }
+    }
 }
 
 impl<P: Write> Write for Failing<P> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.to.write(&bytes[..bytes.len().min(self.left)])?;
         self.left -= written;
+        self.ends.push(self.left);
         if written == 0 && !bytes.is_empty() { Err(io::ErrorKind::StorageFull.into()) } else { Ok(written) }
     }
 
@@ -82,50 +92,56 @@ const KINDS: [Kind; 8] = [
     ("text", |out| Ok(out.write_all(&b"a line of text\n".repeat(30))?)),
 ];
 
-/// Returns the number of bytes that are written, some of which may take the place of others.
-fn count(write: fn(&mut dyn Place) -> anyhow::Result<()>) -> usize {
-    let mut out = Failing { to: Cursor::new(Vec::new()), left: usize::MAX };
-    write(&mut out).expect("there is room");
-    usize::MAX - out.left
+/// Returns the numbers of bytes after which a place is tried to fail, where one with all the room there is has
+/// `left` so many after each piece. What is between goes to the place in one piece, as do its neighbours.
+fn failures(left: &[usize]) -> BTreeSet<usize> {
+    let ends = left.iter().map(|left| usize::MAX - left);
+    let length = ends.clone().max().unwrap_or_default();
+    let around = [0].into_iter().chain(ends).flat_map(|end| [end.saturating_sub(1), end, end + 1]);
+    around.filter(|&bytes| bytes < length).collect()
 }
 
 #[test]
 fn no_kind_of_file_hides_that_a_byte_of_it_is_missing() {
     for (kind, write) in KINDS {
-        let length = count(write);
-        for bytes in 0..length {
-            let mut out = Failing { to: Cursor::new(Vec::new()), left: bytes };
-            assert!(write(&mut out).is_err(), "{kind} after {bytes} of {length} bytes");
+        let mut out = Failing::new(Cursor::new(Vec::new()), usize::MAX);
+        write(&mut out).expect("there is room");
+        let failures = failures(&out.ends);
+        assert!(!failures.is_empty(), "{kind}");
+        for bytes in failures {
+            let mut out = Failing::new(Cursor::new(Vec::new()), bytes);
+            assert!(write(&mut out).is_err(), "{kind} after {bytes} bytes");
         }
     }
 }
 
 #[test]
-fn a_write_that_fails_at_any_byte_leaves_what_was_there_and_names_the_file() {
+fn a_write_that_fails_anywhere_leaves_what_was_there_and_names_the_file() {
     let folder = tempfile::tempdir().expect("there is a folder for temporary files");
     let path = folder.path().join("out");
     std::fs::write(&path, "precious").expect("it is writable");
     for (kind, write) in KINDS {
         // Through a buffer fewer bytes are written where some take the place of others.
-        let attempt = |left: usize, through: &mut dyn FnMut(usize)| {
+        let attempt = |left: usize, through: &mut dyn FnMut(&[usize])| {
             write_whole_through(
                 &path,
-                |file| Failing { to: file, left },
+                |file| Failing::new(file, left),
                 |out| {
                     let written = write(out);
                     out.flush()?;
-                    through(out.get_ref().to().left);
+                    through(&out.get_ref().to().ends);
                     written
                 },
             )
         };
-        let mut length = 0;
-        attempt(usize::MAX, &mut |left| length = usize::MAX - left).expect("there is room");
+        let mut tried = BTreeSet::new();
+        attempt(usize::MAX, &mut |left| tried = failures(left)).expect("there is room");
+        assert!(!tried.is_empty(), "{kind}");
         std::fs::write(&path, "precious").expect("it is writable");
-        for bytes in 0..length {
+        for bytes in tried {
             let error = attempt(bytes, &mut |_| ()).expect_err("there is no room");
             let said = format!("{}: no storage space", path.display());
-            assert_eq!(format!("{error:#}"), said, "{kind} after {bytes} of {length} bytes");
+            assert_eq!(format!("{error:#}"), said, "{kind} after {bytes} bytes");
             assert_eq!(std::fs::read(&path).expect("it is there"), b"precious", "{kind} after {bytes}");
             assert_eq!(std::fs::read_dir(folder.path()).expect("it is there").count(), 1, "{kind}");
         }

@@ -84,6 +84,12 @@ pub fn offers_webgpu() -> bool {
     window().is_some_and(|window| js_sys::Reflect::has(&window.navigator(), &"gpu".into()).unwrap_or(false))
 }
 
+/// Whether the browser has taken WebGL's graphics away in this tab: `web/page.js` keeps that.
+#[must_use]
+pub fn graphics_were_lost() -> bool {
+    tab_storage().is_some_and(|storage| matches!(storage.get_item("gamow/graphics-lost"), Ok(Some(_))))
+}
+
 /// Returns why WebGPU has failed in this tab, if it has.
 #[must_use]
 pub fn webgpu_failure() -> Option<String> {

@@ -91,6 +91,8 @@ async fn open(runner: WebRunner) {
         Accessibility::begin(&cc.egui_ctx);
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state);
         let app = app.preparing_in_background(&cc.egui_ctx).kept_by(keeper);
+        // What was too much for them may have been the rays.
+        let app = if page::graphics_were_lost() { app.without_automatic_rays() } else { app };
         Ok(Box::new(PageApp::new(app, own, cc)) as Box<dyn eframe::App>)
     };
     match runner.start(canvas, options, Box::new(create)).await {

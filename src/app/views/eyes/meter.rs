@@ -87,6 +87,12 @@ impl Meter {
         Self { paces_gpu: false, ..self }
     }
 
+    /// Returns this meter, which chooses no rays.
+    #[must_use]
+    pub fn without_rays(self) -> Self {
+        Self { automatic: self.automatic.with_rays(false), ..self }
+    }
+
     /// Begins a frame after this number of `drawings`, in which the choice is automatic or not.
     pub fn begin(&mut self, drawings: u64, is_on: bool) {
         self.receive();

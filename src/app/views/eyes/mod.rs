@@ -81,6 +81,12 @@ impl EyePictures {
         Self { meter: self.meter.in_full(), ..self }
     }
 
+    /// Returns these pictures, drawn by rays only where somebody asks for them.
+    #[must_use]
+    pub fn without_automatic_rays(self) -> Self {
+        Self { meter: self.meter.without_rays(), ..self }
+    }
+
     /// Has pipelines made in the background from now on; until they are there, the packets draw in their
     /// place, or the last picture stands.
     pub fn prepare_in_background(&mut self, ctx: &Context) {
