@@ -10,6 +10,7 @@ use relativity_render::Geometry;
 use super::Test;
 use super::support::{
     SEPARATION, TRACKED, cyclist, label_starting_with, labels, seen, shown, window, window_of_size,
+    window_without_pictures,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -76,7 +77,7 @@ fn with_one_light_cone_the_stereo_tab_has_gain_1_and_the_seen_distance() {
     let mut state = cyclist(0.9);
     state.document.settings.look.geometry = Geometry::OneCone;
     state.document.settings.plots.plot = PlotTab::Stereo;
-    let mut window = window(state);
+    let mut window = window_without_pictures(state, [1120.0, 700.0]);
     window.state_mut().run(PlaybackCommand::GoTo(1.1));
     window.run();
     let (gain, [distance, ..]) = distances(Model::OneCone, 1.1);
@@ -127,7 +128,7 @@ fn the_stereo_of_eyes_above_and_behind_each_other_is_told() {
 
 /// Whatever the tab, the geometry and the map, and with both eyes in one place.
 fn the_stereo_of_a_turned_head_and_no_separation_leave_the_window_whole() {
-    let mut window = window(cyclist(0.9));
+    let mut window = window_without_pictures(cyclist(0.9), [1120.0, 700.0]);
     let default = window.state().state().document.settings.clone();
     for (roll, turn) in [(90.0, 0.0), (0.0, 90.0), (180.0, 0.0), (-30.0, 60.0)] {
         for (d, geometry) in [(0.1, Geometry::Seen), (0.0, Geometry::OneCone), (0.1, Geometry::Published)] {

@@ -18,7 +18,9 @@ use relativity_render::Geometry;
 
 use super::Test;
 use super::picking::click;
-use super::support::{SEPARATION, label_starting_with, labels, pane, settle, shown, window};
+use super::support::{
+    SEPARATION, label_starting_with, labels, pane, settle, shown, window, window_without_pictures,
+};
 
 pub const TESTS: &[Test] = trials![
     a_clicked_point_of_a_wheel_is_followed_round_with_its_body,
@@ -270,7 +272,7 @@ fn a_point_of_a_wheel_has_numbers_at_every_speed() {
         let tyre = state.document.scene.names.iter().position(|name| name == "front tyre").expect("a tyre");
         let track = state.document.scene.track_on(tyre).expect("a body");
         state.document.points.choose(track, tyre, false);
-        let mut window = window(state);
+        let mut window = window_without_pictures(state, [1120.0, 700.0]);
         let [from, to] = window.state().state().time_range();
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
             let plots =
