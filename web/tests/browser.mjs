@@ -304,7 +304,7 @@ export class Window {
         }, picture);
     }
 
-    // The mean difference of two PNGs of one size as base64, levels of 255.
+    // The mean difference of two pictures of one size, PNG as base64, levels of 255.
     difference(pictures) {
         return this.page.evaluate(async pictures => {
             const [a, b] = await Promise.all(pictures.map(async picture => {
