@@ -9,16 +9,18 @@ use gamow::app::shell::App;
 use gamow::app::state::State;
 use gamow::app::state::overlay::Overlay;
 use gamow::app::state::riding::saddle::RideCommand;
+use gamow::flags::choices::Layout;
 use gamow::lesson::{Library, Outcome};
 use gamow::settings::Settings;
 
 use super::Test;
-use super::support::{assert_sane, drag, pane, slider, window_of_size};
+use super::support::{assert_sane, drag, in_layout, pane, slider, window_of_size};
 
 pub const TESTS: &[Test] = trials![
     a_newcomer_makes_the_first_prediction_on_a_phone,
     a_phone_has_a_bar_without_overlaps_and_a_speed_slider,
     two_thumbs_ride,
+    each_of_two_pictures_has_pedals,
 ];
 
 /// Width and height of a small phone's screen, points.
@@ -138,9 +140,24 @@ fn two_thumbs_ride() {
     touch(&window, 3, TouchPhase::End, brake);
     window.run_steps(2);
     assert_sane(window.state().state());
-    if let Some(path) = std::env::var_os("LOOK") {
-        touch(&window, 1, TouchPhase::Start, pedal);
-        window.run_steps(3);
-        window.render().expect("a picture").save(path).expect("saved");
+}
+
+fn each_of_two_pictures_has_pedals() {
+    let mut window =
+        window_of_size(State::open(Settings::default()).expect("usual settings"), [900.0, 600.0], 1.0);
+    window.state_mut().run(RideCommand::Toggle);
+    window.state_mut().run(in_layout(Layout::SideBySide));
+    touch(&window, u64::MAX, TouchPhase::Cancel, Pos2::ZERO);
+    window.run_steps(2);
+    let rapidity = |window: &Harness<'_, App>| window.state().state().rider().velocity.rapidity();
+    let pedals: Vec<_> = window.query_all_by_label("Pedal: hold").map(|node| node.rect().center()).collect();
+    assert_eq!(pedals.len(), 2);
+    for pedal in pedals {
+        let before = rapidity(&window);
+        touch(&window, 4, TouchPhase::Start, pedal);
+        window.run_steps(8);
+        touch(&window, 4, TouchPhase::End, pedal);
+        window.run_steps(2);
+        assert!(rapidity(&window) > before + 0.01, "{pedal}");
     }
 }

@@ -14,7 +14,7 @@ pub type Pedal = (Rect, PushDirection);
 #[derive(Debug, Clone, Default)]
 struct Thumbs {
     pedals: Vec<Pedal>,
-    /// The pass in which they were shown last.
+    /// The pass in which they were shown last, in one picture or in two.
     pass: u64,
     /// Which pedal the pointer holds, which may be a mouse.
     by_pointer: Option<PushDirection>,
@@ -51,12 +51,15 @@ pub fn hear(ctx: &Context) {
     });
 }
 
-/// Notes that these `pedals` are shown, of which the pointer holds one or none.
+/// Notes that these `pedals` are shown in a picture, of which the pointer holds one or none.
 pub fn show(ctx: &Context, pedals: &[Pedal], by_pointer: Option<PushDirection>) {
     with(ctx, |thumbs, ctx| {
-        thumbs.pedals = pedals.to_vec();
-        thumbs.pass = ctx.cumulative_pass_nr();
-        thumbs.by_pointer = by_pointer;
+        let pass = ctx.cumulative_pass_nr();
+        if std::mem::replace(&mut thumbs.pass, pass) != pass {
+            (thumbs.pedals, thumbs.by_pointer) = (Vec::new(), None);
+        }
+        thumbs.pedals.extend_from_slice(pedals);
+        thumbs.by_pointer = thumbs.by_pointer.or(by_pointer);
     });
 }
 

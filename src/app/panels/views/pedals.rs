@@ -45,7 +45,7 @@ pub fn show(ui: &Ui, state: &State, pane: EyePane) -> Vec<Rect> {
     let mut by_pointer = None;
     let mut pedals: Vec<Pedal> = Vec::new();
     for (place, (push, turn, name)) in places.into_iter().zip(PEDALS) {
-        let response = ui.interact(place, ui.scope_id().with(name), Sense::drag());
+        let response = ui.interact(place, ui.scope_id().with((name, pane.eye.index())), Sense::drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
         if response.is_pointer_button_down_on() {
             by_pointer = Some(push);
