@@ -32,8 +32,8 @@ impl ShippedFile {
     }
 }
 
-/// The [`ShippedFile`](crate::shipped::ShippedFile) at a place below the folder of the calling crate, which is
-/// that of the sources. It is within the program, but for that in a page.
+/// The [`ShippedFile`](crate::shipped::ShippedFile) at a place below the folder of the calling crate, which
+/// is that of the sources. It is within the program, but for that in a page.
 #[macro_export]
 macro_rules! shipped_file {
     ($($place:expr),+) => {{

@@ -67,8 +67,8 @@ struct FrameUniform {
     // xyz: from the middle between the eyes to the camera, where these have one light cone, else 0; w: how
     // many places there are where bodies touch a road.
     contact_eye: vec4f,
-    // Two of each, as OpenGL ES 3.0 has no arrays of arrays: where it is from the camera, its distance from the
-    // middle, gamma v; half the length and the width of its shadow, both squared, and gamma.
+    // Two of each, as OpenGL ES 3.0 has no arrays of arrays: where it is from the camera, its distance from
+    // the middle, gamma v; half the length and the width of its shadow, both squared, and gamma.
     contacts: array<vec4f, 16>,
     // Of houses in turn, and of all together: height, and shade of the walls.
     houses: array<vec4f, 4>,

@@ -92,8 +92,8 @@ const KINDS: [Kind; 8] = [
     ("text", |out| Ok(out.write_all(&b"a line of text\n".repeat(30))?)),
 ];
 
-/// Returns the numbers of bytes after which a place is tried to fail, where one with all the room there is has
-/// `left` so many after each piece. What is between goes to the place in one piece, as do its neighbours.
+/// Returns the numbers of bytes after which a place is tried to fail, where one with all the room there is
+/// has `left` so many after each piece. What is between goes to the place in one piece, as do its neighbours.
 fn failures(left: &[usize]) -> BTreeSet<usize> {
     let ends = left.iter().map(|left| usize::MAX - left);
     let length = ends.clone().max().unwrap_or_default();

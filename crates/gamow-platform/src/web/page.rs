@@ -114,8 +114,8 @@ pub async fn copy_text(text: &str) -> bool {
 
 thread_local!(static FETCHED: RefCell<BTreeMap<&'static str, Option<&'static [u8]>>> = const { RefCell::new(BTreeMap::new()) });
 
-/// Returns the bytes of the file at this `place` below the page's folder; `None` while they come, and for ever
-/// if they cannot. The first call for a place fetches them, and has `then` called once they are there.
+/// Returns the bytes of the file at this `place` below the page's folder; `None` while they come, and for
+/// ever if they cannot. The first call for a place fetches them, and has `then` called once they are there.
 pub fn fetched(place: &'static str, then: impl FnOnce() + 'static) -> Option<&'static [u8]> {
     if let Some(bytes) = FETCHED.with_borrow(|fetched| fetched.get(place).copied()) {
         return bytes;
