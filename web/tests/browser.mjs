@@ -88,6 +88,18 @@ function countAnswers() {
     new PerformanceObserver(note).observe({ entryTypes: ['longtask'] });
 }
 
+// Gives the page a function that returns the levels of a PNG as base64.
+function readPictures() {
+    globalThis.pixelsOf = async picture => {
+        // The page may fetch nothing but its own files.
+        const bytes = Uint8Array.from(atob(picture), letter => letter.charCodeAt(0));
+        const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+        const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), pen = canvas.getContext('2d');
+        pen.drawImage(bitmap, 0, 0);
+        return pen.getImageData(0, 0, bitmap.width, bitmap.height).data;
+    };
+}
+
 // A page with the window in it.
 export class Window {
     constructor(page, address) {
@@ -113,6 +125,7 @@ export class Window {
             behavior: 'allow', downloadPath: window.folder, browserContextId: context.id,
         });
         await page.evaluateOnNewDocument(countAnswers);
+        await page.evaluateOnNewDocument(readPictures);
         await page.evaluateOnNewDocument(before);
         await page.goto(address + fragment, { timeout: PATIENCE });
         await window.shown();
@@ -293,12 +306,7 @@ export class Window {
     // The number of different colours in a PNG as base64, of every fourth pixel.
     coloursOf(picture) {
         return this.page.evaluate(async picture => {
-            // The page may fetch nothing but its own files.
-            const bytes = Uint8Array.from(atob(picture), letter => letter.charCodeAt(0));
-            const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-            const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), pen = canvas.getContext('2d');
-            pen.drawImage(bitmap, 0, 0);
-            const { data } = pen.getImageData(0, 0, bitmap.width, bitmap.height), seen = new Set();
+            const data = await pixelsOf(picture), seen = new Set();
             for (let i = 0; i < data.length; i += 16) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
             return seen.size;
         }, picture);
@@ -307,13 +315,7 @@ export class Window {
     // The mean difference of two pictures of one size, PNG as base64, levels of 255.
     difference(pictures) {
         return this.page.evaluate(async pictures => {
-            const [a, b] = await Promise.all(pictures.map(async picture => {
-                const bytes = Uint8Array.from(atob(picture), letter => letter.charCodeAt(0));
-                const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-                const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), pen = canvas.getContext('2d');
-                pen.drawImage(bitmap, 0, 0);
-                return pen.getImageData(0, 0, bitmap.width, bitmap.height).data;
-            }));
+            const [a, b] = await Promise.all(pictures.map(pixelsOf));
             return a.reduce((sum, level, i) => sum + Math.abs(level - b[i]), 0) / a.length;
         }, pictures);
     }

@@ -7,9 +7,9 @@ use crate::web::page;
 /// A file that comes with the program; [`shipped_file!`](crate::shipped_file) makes one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ShippedFile {
-    /// Where it lies below the folder of the program's sources, and so below that of the page.
+    /// Path of the file below the folder of the program's sources, which is its path below that of the page.
     pub place: &'static str,
-    /// What is in it; of a file beside a page nothing.
+    /// Bytes of a file that is within the program; a file beside a page has none here.
     #[doc(hidden)]
     pub within: &'static [u8],
 }

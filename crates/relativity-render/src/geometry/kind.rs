@@ -2,6 +2,15 @@
 
 use crate::shaders::{Source, source};
 
+/// The shader of the rays for a kind with these files, of which the last draws a picture.
+macro_rules! impostor {
+    ([$($test:literal),+], $pattern:literal, [$($pixels:literal),+], $picture:literal) => {
+        source!(
+            "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+, $picture
+        )
+    };
+}
+
 /// Defines the kinds: one line each, with its name and its files in `shaders/` for the ray test, for the
 /// pixels of that, for those where shaders choose the samples of a pixel, for the corners and for patterns.
 macro_rules! kinds {
@@ -19,18 +28,14 @@ macro_rules! kinds {
             /// Returns the shader of the rays, which chooses the samples of a pixel.
             pub const fn impostor(self) -> Source {
                 match self {
-                    $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+, $chosen
-                    ),)+
+                    $(Self::$kind => impostor!([$($test),+], $pattern, [$($pixels),+], $chosen),)+
                 }
             }
 
             /// Returns the shader of the rays where each sample is drawn as a pixel.
             pub const fn impostor_as_pixels(self) -> Source {
                 match self {
-                    $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+, "impostor_as_pixels"
-                    ),)+
+                    $(Self::$kind => impostor!([$($test),+], $pattern, [$($pixels),+], "impostor_as_pixels"),)+
                 }
             }
 

@@ -2,7 +2,7 @@
 
 use crate::view::effects::Constant;
 
-/// How a device draws the samples of a picture's pixels, four each.
+/// The way in which a device draws the four samples of each pixel of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sampling {
     /// Samples that the hardware keeps of a pixel.
@@ -16,7 +16,7 @@ impl Sampling {
     pub const CHOSEN: Self = Self { of_hardware: 4, across: 1 };
     /// Each sample is a pixel of a picture of twice the size.
     pub const AS_PIXELS: Self = Self { of_hardware: 1, across: 2 };
-    /// One in the middle of each pixel: numbers are not averaged.
+    /// Each pixel has one sample, in its middle: numbers are not averaged.
     pub const MIDDLE: Self = Self { of_hardware: 1, across: 1 };
 
     /// Returns `constants` of shaders with the one that is this.

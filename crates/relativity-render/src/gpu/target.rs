@@ -42,7 +42,7 @@ pub struct EyeTarget {
 pub(crate) struct BodyLayers {
     /// The bodies alone, premultiplied by coverage, in linear light.
     pub bodies: wgpu::TextureView,
-    /// Their samples, where the hardware averages these.
+    /// The samples of the bodies' pixels, where the hardware averages these.
     pub samples: Option<wgpu::TextureView>,
     pub depth: wgpu::TextureView,
 }

@@ -16,7 +16,7 @@ struct Thumbs {
     pedals: Vec<Pedal>,
     /// The pass in which they were shown last, in one picture or in two.
     pass: u64,
-    /// Which pedal the pointer holds, which may be a mouse.
+    /// Direction of the pedal that the pointer holds, be it a finger or a mouse.
     by_pointer: Option<PushDirection>,
     fingers: BTreeMap<u64, Finger>,
 }

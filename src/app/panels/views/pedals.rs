@@ -3,7 +3,7 @@
 use std::f32::consts::PI;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Color32, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use eframe::egui::{Align2, Color32, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo};
 
 use crate::app::commands::riding::thumbs::{self, Pedal};
 use crate::app::state::State;
@@ -35,12 +35,9 @@ pub fn show(ui: &Ui, state: &State, pane: EyePane) -> Vec<Rect> {
     if width < 4.0 * side || height < 2.0 * side {
         return Vec::new();
     }
-    let corners =
-        [pane.rect.left_bottom() + vec2(MARGIN, -MARGIN), pane.rect.right_bottom() - Vec2::splat(MARGIN)];
-    let places = [
-        Rect::from_min_size(corners[0] - vec2(0.0, side), Vec2::splat(side)),
-        Rect::from_min_size(corners[1] - Vec2::splat(side), Vec2::splat(side)),
-    ];
+    let room = pane.rect.shrink(MARGIN);
+    let places = [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM]
+        .map(|corner| corner.align_size_within_rect(Vec2::splat(side), room));
     let held = thumbs::held(ui.ctx());
     let mut by_pointer = None;
     let mut pedals: Vec<Pedal> = Vec::new();

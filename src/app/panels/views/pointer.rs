@@ -83,8 +83,8 @@ fn command_of(key: Key, with_shift: bool) -> Option<Command> {
     }
 }
 
-/// The scene follows the pointer: what is under it when a drag starts stays there. So it does the thumb
-/// beside one that pedals.
+/// The scene follows the pointer: what is under it when a drag starts stays there. It follows the
+/// thumb beside one that pedals, too.
 fn turn(ui: &Ui, response: &Response, pane: EyePane, commands: &mut Commands) {
     let place = response.interact_pointer_pos().filter(|_| response.dragged());
     let dragged = place.map(|place| [place - response.drag_delta(), place]);

@@ -27,7 +27,7 @@ pub struct ShownPicture {
     pub texture: TextureId,
     /// Method that drew it. The rays stand in for the reference until that is done; the published model is
     /// only known to the mesh renderer, and one light cone for both eyes not to the rays; the packets stand
-    /// in for these where the device cannot draw them, or has no room for a scene's models.
+    /// in for these where the device has no room for a scene's models.
     pub method: Method,
     /// Number of pixels each way that are drawn as one, where there was no time for more: else 1.
     pub coarseness: u32,

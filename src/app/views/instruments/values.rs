@@ -41,8 +41,8 @@ impl Instruments {
 }
 
 impl State {
-    /// Returns the instruments on the handlebar, with what is `told` of keys outside of presentations; `None`
-    /// unless somebody rides.
+    /// Returns the instruments on the handlebar; `None` unless somebody rides. Outside of presentations the
+    /// lines of `told`, on keys or thumbs, are among them.
     #[must_use]
     pub fn instruments(&self, told: &'static [&'static str]) -> Option<Instruments> {
         let ride = &self.document.settings.ride;
