@@ -70,7 +70,7 @@ addEventListener('gamow-text', () => {
     };
 });
 
-// The bytes of the program, which web/build writes here: a server that compresses it tells fewer.
+// The bytes of the packed program, which web/build writes here.
 const TOTAL = 0;
 
 function showProgress(bytes) {
@@ -80,25 +80,33 @@ function showProgress(bytes) {
     if (TOTAL > 0) [bar.max, bar.value] = [TOTAL, bytes];
 }
 
-// Bytes that have come, in place of silence on a slow line.
-async function loaded(path) {
+// The bytes of a file. How many have come is told to `come`.
+async function loaded(path, come = () => {}) {
     const response = await fetch(path);
     if (!response.ok) throw new Error(`${path}: ${response.status} ${response.statusText}`);
-    if (!response.body) return response;
     let bytes = 0;
     const counted = new TransformStream({
         transform(chunk, controller) {
             bytes += chunk.byteLength;
-            showProgress(bytes);
+            come(bytes);
             controller.enqueue(chunk);
         },
     });
-    return new Response(response.body.pipeThrough(counted), { headers: { 'Content-Type': 'application/wasm' } });
+    return new Uint8Array(await new Response(response.body.pipeThrough(counted)).arrayBuffer());
+}
+
+// The program, which comes packed. Its packed bytes, and what unpacks them, are forgotten then.
+async function program() {
+    // How much has come is shown, in place of silence on a slow line.
+    const packed = loaded('gamow-web.wasm.lzma', showProgress);
+    const { default: start, unpacked } = await import('./gamow-unpack.js');
+    await start({ module_or_path: loaded('gamow-unpack_bg.wasm') });
+    return unpacked(await packed);
 }
 
 try {
-    const { default: start } = await import('./gamow-web.js');
-    await start({ module_or_path: loaded('./gamow-web_bg.wasm') });
+    const [{ default: start }, module] = await Promise.all([import('./gamow-web.js'), program()]);
+    await start({ module_or_path: module });
 } catch (error) {
     console.error(error);
     showProblem(`The program could not be loaded or started (${error.message ?? error}). It needs a browser of 2023 or later, with WebAssembly SIMD.`);

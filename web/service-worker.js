@@ -1,8 +1,8 @@
 // Keeps the page for use without a network. All its files are of one version, which web/build writes here.
 const VERSION = 'unbuilt';
 const FILES = [
-    './', './gamow-web.js', './gamow-web_bg.wasm', './gamow-worker.js', './icon.png', './LICENSES-THIRD-PARTY.txt',
-    './manifest.webmanifest', './page.js', './stereoscope.js',
+    './', './gamow-unpack.js', './gamow-unpack_bg.wasm', './gamow-web.js', './gamow-web.wasm.lzma', './gamow-worker.js',
+    './icon.png', './LICENSES-THIRD-PARTY.txt', './manifest.webmanifest', './page.js', './stereoscope.js',
     // The pictures of the cards, which web/build writes here.
     ...[],
 ];
@@ -10,11 +10,12 @@ const FILES = [
 const OWN = `gamow ${new URL(registration.scope).pathname} `;
 const CACHE = OWN + VERSION;
 
-// All files are kept or none, and each as the server has it now: the browser's own cache may have older ones.
+// All files are kept or none, and each as the server has it now: of what the browser's own cache has, the server
+// says whether it is the same.
 async function install() {
     const cache = await caches.open(CACHE);
     try {
-        await cache.addAll(FILES.map(file => new Request(file, { cache: 'reload' })));
+        await cache.addAll(FILES.map(file => new Request(file, { cache: 'no-cache' })));
     } catch (error) {
         await caches.delete(CACHE);
         throw error;

@@ -1,7 +1,7 @@
 //! Speed, separation, path, geometry and light.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, pos2};
+use eframe::egui::accesskit::{Action, ActionData, ActionRequest, Role};
+use eframe::egui::{Event, Key, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{By, NodeT as _, Queryable as _};
 use gamow::app::commands::SettingsCommand;
@@ -308,13 +308,19 @@ fn the_first_window_has_few_controls_and_a_button_for_all() {
 }
 
 fn assistive_technology_reads_values_and_what_the_views_show() {
-    let window = super::support::window(super::support::cyclist(0.9));
+    let mut window = super::support::window(super::support::cyclist(0.9));
     assert_eq!(window.root().accesskit_node().label().as_deref(), Some("Gamow"));
     let speed = window.get_by_role_and_label(Role::Slider, "Speed β").accesskit_node();
-    assert_eq!((speed.value().as_deref(), speed.numeric_value()), (Some("0.900"), None));
+    assert_eq!((speed.value().as_deref(), speed.numeric_value()), (Some("0.900"), Some(0.9)));
     let sentence = window.state().state().moment().sentence();
     for eye in ["Left eye view", "Right eye view"] {
         let view = window.get_by_label(eye).accesskit_node();
         assert_eq!(view.description().as_deref(), Some(sentence.as_str()));
     }
+    let (target_node, target_tree) = speed.locate();
+    let data = Some(ActionData::NumericValue(0.123));
+    let request = ActionRequest { action: Action::SetValue, target_tree, target_node, data };
+    window.event(Event::AccessKitActionRequest(request));
+    window.run_steps(2);
+    assert_eq!(window.state().state().speed().beta(), 0.123);
 }

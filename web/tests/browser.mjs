@@ -1,5 +1,6 @@
 // Opens the page in a browser without a screen, and gives the tests what they need to drive it.
 import { spawn, spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import { createServer } from 'node:http';
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -34,17 +35,22 @@ export async function eventually(what, find, patience = PATIENCE) {
     }
 }
 
-// Hands out the files of the page as any web server does, without headers of its own.
+// Hands out the files of the page as any web server does: not again where a browser has what it would get.
+// `sent` counts how often a file was.
 export async function serve() {
+    const sent = {};
     const server = createServer((request, response) => {
         const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
         const file = join(SITE, path.endsWith('/') ? `${path}index.html` : path);
         if (!existsSync(file)) return response.writeHead(404).end();
-        response.writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream' });
-        response.end(readFileSync(file));
+        const bytes = readFileSync(file), digest = `"${createHash('sha256').update(bytes).digest('hex')}"`;
+        if (request.headers['if-none-match'] === digest) return response.writeHead(304).end();
+        sent[path] = (sent[path] ?? 0) + 1;
+        response.writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream', ETag: digest });
+        response.end(bytes);
     });
     await new Promise(done => server.listen(0, '127.0.0.1', done));
-    return { address: `http://localhost:${server.address().port}/`, close: () => server.close() };
+    return { address: `http://localhost:${server.address().port}/`, sent, close: () => server.close() };
 }
 
 // Whether there are screens in software, those of Xvfb.

@@ -222,7 +222,7 @@ fn way_back(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ];
     let apart = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 3.0);
     for (icon, name, tip, is_there, command) in buttons {
-        let button = ui.add_enabled_ui(is_there, |ui| icons::button(ui, icon, name, vec2(26.0, 22.0), false));
+        let button = ui.add_enabled_ui(is_there, |ui| icons::button(ui, icon, name, vec2(26.0, 22.0)));
         let tip = with_keys(tip, std::slice::from_ref(&command));
         if button.inner.on_hover_text(&tip).on_disabled_hover_text(&tip).clicked() {
             commands.push(command);
@@ -283,7 +283,7 @@ fn looks(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) 
 fn theme(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let dark = ui.visuals().dark_mode;
     let (icon, other) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
-    if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false)
+    if icons::button(ui, icon, "Theme", vec2(30.0, 22.0))
         .on_hover_text("Switches between a light and a dark window")
         .clicked()
     {

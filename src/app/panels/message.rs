@@ -66,7 +66,7 @@ fn text(ui: &mut Ui, notice: &Notice, height: f32) {
 }
 
 fn buttons(ui: &mut Ui, notice: &Notice, commands: &mut Commands) {
-    let close = icons::button(ui, Icon::Remove, "Close message", vec2(22.0, 22.0), false);
+    let close = icons::button(ui, Icon::Remove, "Close message", vec2(22.0, 22.0));
     if close.on_hover_text(with_keys("Close.", &[Command::Window(WindowCommand::Close)])).clicked() {
         commands.push(WindowCommand::CloseNotice.into());
     }

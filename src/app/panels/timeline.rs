@@ -122,8 +122,7 @@ fn transport(ui: &mut Ui, state: &State, commands: &mut Commands) {
         if few && command != Command::Playback(PlaybackCommand::Toggle) {
             continue;
         }
-        let pressed = icon == Icon::Pause;
-        let response = icons::button(ui, icon, name, egui::vec2(width, 26.0), pressed);
+        let response = icons::button(ui, icon, name, egui::vec2(width, 26.0));
         if response.on_hover_text(with_keys(name, std::slice::from_ref(&command))).clicked() {
             commands.push(command);
         }
@@ -207,7 +206,7 @@ fn rate(ui: &mut Ui, state: &State, playback: &mut PlaybackSettings) {
 }
 
 fn looping(ui: &mut Ui, playback: &mut PlaybackSettings) {
-    let repeat = icons::button(ui, Icon::Loop, "Loop", vec2(28.0, 24.0), playback.looping);
+    let repeat = icons::switch(ui, Icon::Loop, "Loop", vec2(28.0, 24.0), playback.looping);
     if repeat.on_hover_text(about("looping")).clicked() {
         playback.looping = !playback.looping;
     }

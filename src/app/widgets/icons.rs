@@ -2,8 +2,10 @@
 
 use std::f32::consts::TAU;
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
+    Color32, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2,
+    vec2,
 };
 
 /// A sign, drawn inside a square of side 2 around the origin.
@@ -46,28 +48,30 @@ pub enum Icon {
 }
 
 /// A button of this `size` with an `icon`; `name` is for assistive technology.
-pub fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, selected: bool) -> Response {
+pub fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2) -> Response {
     let (_, response) = ui.allocate_exact_size(size, Sense::click());
-    drawn(ui, response, icon, name, selected)
+    drawn(ui, response, icon, name, None)
+}
+
+/// As [`button`], one that switches something on and off.
+pub fn switch(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, is_on: bool) -> Response {
+    let (_, response) = ui.allocate_exact_size(size, Sense::click());
+    drawn(ui, response, icon, name, Some(is_on))
 }
 
 /// A button with an `icon` in `rect`, over what else is there.
 pub fn button_in(ui: &Ui, rect: Rect, icon: Icon, name: &str) -> Response {
     let response = ui.interact(rect, ui.scope_id().with(("button", name)), Sense::click());
-    drawn(ui, response, icon, name, false)
+    drawn(ui, response, icon, name, None)
 }
 
-fn drawn(ui: &Ui, response: Response, icon: Icon, name: &str, selected: bool) -> Response {
+fn drawn(ui: &Ui, response: Response, icon: Icon, name: &str, is_on: Option<bool>) -> Response {
     let (rect, size) = (response.rect, response.rect.size());
-    response.widget_info(|| {
-        eframe::egui::WidgetInfo::selected(
-            eframe::egui::accesskit::Role::Button,
-            ui.is_enabled(),
-            selected,
-            name,
-        )
+    response.widget_info(|| WidgetInfo {
+        selected: is_on,
+        ..WidgetInfo::labeled(Role::Button, ui.is_enabled(), name)
     });
-    let visuals = ui.style().interact_selectable(&response, selected);
+    let visuals = ui.style().interact_selectable(&response, is_on == Some(true));
     let painter = ui.painter();
     if icon != Icon::Remove || response.hovered() {
         painter.rect(

@@ -1,5 +1,6 @@
 //! The speed: a slider finer towards 1, speeds to click, and three fields to type it exactly.
 
+use eframe::egui::accesskit::{Action, ActionData};
 use eframe::egui::{
     self, Align, Align2, FontId, Label, Layout, Rect, RichText, Sense, Slider, TextStyle, Ui, vec2,
 };
@@ -85,20 +86,33 @@ fn slider(ui: &mut Ui, control: SpeedControl<'_>) -> Option<SpeedSetting> {
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
     let response = widgets::explained(ui.add(slider), control.tip()).accessible_name(control.slider_name());
+    // The slider's own number is a place along it: to others it is the speed.
     ui.ctx().accesskit_node_builder(response.id, |node| {
-        // The slider's own number is a place along it. A browser says the text in its stead, and needs the
-        // place.
-        if cfg!(feature = "desktop") {
-            node.clear_numeric_value();
-        }
+        node.set_numeric_value(current.speed().beta());
+        node.set_max_numeric_value(SpeedSetting::at_slider_position(1.0).speed().beta());
         node.set_value(number_text::beta(&current.speed()));
     });
+    let asked = asked_for(ui, response.id);
     let marked = marks(ui, response.rect, is_own || fields.len() == FIELDS.len());
     if widgets::is_double_clicked(ui, &response) {
         return Some(default);
     }
     let slid = response.changed().then(|| SpeedSetting::at_slider_position(position));
-    slid.or(marked)
+    asked.or(slid).or(marked)
+}
+
+/// The speed that assistive technology asks for.
+fn asked_for(ui: &Ui, id: egui::Id) -> Option<SpeedSetting> {
+    let beta = ui.input(|input| {
+        let requests = input.accesskit_action_requests(id, Action::SetValue);
+        requests
+            .filter_map(|request| match request.data {
+                Some(ActionData::NumericValue(beta)) => Some(beta),
+                _ => None,
+            })
+            .last()
+    });
+    SpeedSetting::new(SpeedParameter::Beta, beta?).ok()
 }
 
 /// Shows marked speeds below the slider at its positions for them; returns one that is clicked, if it

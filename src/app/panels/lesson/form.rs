@@ -60,7 +60,7 @@ fn votes(ui: &mut Ui, room: Room, course: &Course, options: &Options, commands: 
                 Some(Answer::Votes(votes))
             };
             let size = vec2(side, side);
-            if icons::button(ui, Icon::More, &format!("One more for {name}"), size, false).clicked() {
+            if icons::button(ui, Icon::More, &format!("One more for {name}"), size).clicked() {
                 draft(commands, changed(1));
             }
             let count = hands(ui, course, number, (votes[number], &name), 1.7 * side);
@@ -69,7 +69,7 @@ fn votes(ui: &mut Ui, room: Room, course: &Course, options: &Options, commands: 
                 votes[number] = count;
                 draft(commands, Some(Answer::Votes(votes)));
             }
-            if icons::button(ui, Icon::Fewer, &format!("One fewer for {name}"), size, false).clicked() {
+            if icons::button(ui, Icon::Fewer, &format!("One fewer for {name}"), size).clicked() {
                 draft(commands, changed(-1));
             }
             ui.add_space(6.0);

@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, course: &Course, commands: &mut Commands) {
     ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         let size = vec2(BUTTON_SIDE, BUTTON_SIDE);
-        let close = icons::button(ui, Icon::Remove, "Close the lesson", size, false);
+        let close = icons::button(ui, Icon::Remove, "Close the lesson", size);
         if close
             .on_hover_text("Closes the lesson, and restores the parts of the window. Its answers are kept")
             .clicked()
@@ -65,7 +65,7 @@ pub fn folded(ui: &mut Ui, course: &Course, commands: &mut Commands) {
 }
 
 fn fold(ui: &mut Ui, icon: Icon, name: &str, commands: &mut Commands) {
-    let button = icons::button(ui, icon, name, vec2(BUTTON_SIDE, BUTTON_SIDE), false);
+    let button = icons::button(ui, icon, name, vec2(BUTTON_SIDE, BUTTON_SIDE));
     if button.on_hover_text(name).clicked() {
         ask(commands, LessonCommand::ToggleFolded);
     }

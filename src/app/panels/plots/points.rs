@@ -39,8 +39,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         }
         if points.is_removable(index) {
             let name = format!("Remove {name}");
-            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
-            {
+            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0)).on_hover_text(&name).clicked() {
                 commands.push(PointsCommand::Remove(index).into());
             }
         }
