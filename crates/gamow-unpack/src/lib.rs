@@ -1,5 +1,5 @@
-//! Unpacks the program of the page. LZMA makes it smaller than what servers compress with, and whatever server
-//! hands it out need not compress.
+//! Unpacks the program of the page. LZMA makes it smaller than what servers compress with, and a server that
+//! does not compress at all serves as well.
 #![cfg(target_arch = "wasm32")]
 
 use std::io::Read as _;

@@ -3,6 +3,8 @@
 //! To a camera at rest it is never shifted, dimmed or exposed: it gives motion something to be seen against.
 //! `shaders/backdrop.wgsl` draws the same, with the same constants.
 
+use std::cell::LazyCell;
+
 use glam::{DVec2, DVec3, Vec3Swizzles as _};
 use relativity_core::math;
 
@@ -305,22 +307,30 @@ impl Backdrop {
 
     /// Linear sRGB at rest of what is `seen`, and the share of the sky's own light in it; `turns` of the line
     /// on the ground lead from one pixel to the next.
-    fn at_rest(&self, seen: &GroundLine, turns: impl Fn() -> [DVec3; 2]) -> [f64; 4] {
+    fn at_rest(&self, seen: &GroundLine, turns: impl FnOnce() -> [DVec3; 2]) -> [f64; 4] {
+        let turns = LazyCell::new(turns);
+        let front = self.front(seen, || *turns);
+        if let Some((colour, 1.0)) = front {
+            return colour;
+        }
+        let below = self.height_distance(seen.direction);
+        let below = below.map(|distance| self.ground(seen, *turns, distance));
+        let without = below.unwrap_or_else(|| self.sky_above(seen.direction));
+        front.map_or(without, |(colour, cover)| mix(without, colour, cover))
+    }
+
+    /// The colour of house fronts in a pixel, and the share of it that they cover, if any are in it.
+    fn front(&self, seen: &GroundLine, turns: impl FnOnce() -> [DVec3; 2]) -> Option<([f64; 4], f64)> {
+        let (fronts, ground, _) = (self.fronts?, self.ground?, self.road?);
         let direction = seen.direction;
-        let below = self.height_distance(direction);
-        let below = below.map(|distance| self.ground(seen, turns(), distance));
-        let without = below.unwrap_or_else(|| self.sky_above(direction));
-        let (Some(fronts), Some(ground), Some(_)) = (self.fronts, self.ground, self.road) else {
-            return without;
-        };
         if direction.y <= LEAST_TOWARDS_FRONTS {
-            return without;
+            return None;
         }
         let distance = fronts / direction.y;
         let place = DVec2::new(self.aperture.x, -ground) + direction.xz() * distance;
         let shift = |turn: DVec3| (turn.xz() - direction.xz() * (turn.y / direction.y)) * distance;
-        let FrontPixel { colour, cover } = self.palette.fronts.front(place, pixel(turns(), shift));
-        mix(without, self.hazy(painted(colour), seen, distance), cover)
+        let FrontPixel { colour, cover } = self.palette.fronts.front(place, pixel(turns(), shift))?;
+        Some((self.hazy(painted(colour), seen, distance), cover))
     }
 
     /// Returns the colour that is seen along `seen` of a surface of this `colour` at `distance` on the

@@ -109,7 +109,10 @@ impl Contacts {
             let stretch = DVec2::new(gamma + rapid * mean.x, rapid * mean.y);
             let along = stretch.dot(off);
             let long = half.x * half.x + (stretch * DVec2::new(width, depth)).length_squared();
-            let inside = (1.0 - along * along / long - off.y * off.y / wide).max(0.0);
+            let inside = 1.0 - along * along / long - off.y * off.y / wide;
+            if inside <= 0.0 {
+                return left;
+            }
             // What is smaller than a pixel is as wide as that, and as much fainter.
             let thin = half.x * half.y / (long * wide).sqrt();
             left * (1.0 - DARKEST * thin * inside * inside)

@@ -52,16 +52,20 @@ pub(crate) struct FrontPixel {
 }
 
 impl Paints {
-    /// Returns what a pixel shows of the fronts: `place` is x along them and height above the ground at its
-    /// middle, `pixel` its width and height there.
-    pub fn front(&self, place: DVec2, pixel: DVec2) -> FrontPixel {
+    /// Returns what a pixel shows of the fronts, if anything: `place` is x along them and height above the
+    /// ground at its middle, `pixel` its width and height there.
+    pub fn front(&self, place: DVec2, pixel: DVec2) -> Option<FrontPixel> {
+        let [[highest, _], ..] = HOUSES;
+        if band_cover(place.y, [0.0, highest], pixel.y) == 0.0 {
+            return None;
+        }
         let House { shade, cover, cornice } = house(place, pixel);
         let openings: [_; 4] = std::array::from_fn(|number| opening_cover(number, 0.0, place, pixel));
         let frames = (0..4).map(|number| opening_cover(number, FRAME, place, pixel)).sum::<f64>();
         let stone = (frames + band_cover(place.y, COURSE, pixel.y) + cornice).min(1.0);
         let framed = mix(self.wall.map(|part| part * shade), self.frame, stone);
         let glazed = mix(framed, self.glass, openings[0] + openings[1]);
-        FrontPixel { colour: mix(mix(glazed, self.door, openings[2]), self.shop, openings[3]), cover }
+        Some(FrontPixel { colour: mix(mix(glazed, self.door, openings[2]), self.shop, openings[3]), cover })
     }
 }
 
@@ -94,7 +98,11 @@ fn house(place: DVec2, pixel: DVec2) -> House {
 /// Share of a pixel that an opening covers, with a `margin` around it.
 fn opening_cover(number: usize, margin: f64, place: DVec2, pixel: DVec2) -> f64 {
     let [from, length, lowest, highest] = OPENINGS[number];
+    let upright = band_cover(place.y, [lowest - margin, highest + margin], pixel.y);
+    if upright == 0.0 {
+        return 0.0;
+    }
     let period = if number < 2 { 0.5 * HOUSE_WIDTH } else { HOUSE_WIDTH };
     let along = repeated_cover(place.x - from + margin, length + 2.0 * margin, period, pixel.x);
-    along * band_cover(place.y, [lowest - margin, highest + margin], pixel.y)
+    along * upright
 }
