@@ -96,8 +96,8 @@ fn touch(window: &Harness<'_, App>, finger: u64, phase: TouchPhase, pos: Pos2) {
     window.event(Event::Touch { device_id: TouchDeviceId(0), id: TouchId(finger), phase, pos, force: None });
 }
 
-/// One thumb pedals while the other looks around, and one alone brakes. A screen that knows no touches shows
-/// no pedals.
+/// Pedals that a thumb holds speed the rider up while another thumb looks around, and brakes slow the rider
+/// down. A screen that knows no touches shows neither.
 fn two_thumbs_ride() {
     let mut window = phone(State::open(Settings::default()).expect("usual settings"));
     window.state_mut().run(RideCommand::Toggle);

@@ -53,7 +53,7 @@ pub fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2) -> Response {
     drawn(ui, response, icon, name, None)
 }
 
-/// As [`button`], one that switches something on and off.
+/// A [`button`] that switches something on and off.
 pub fn switch(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, is_on: bool) -> Response {
     let (_, response) = ui.allocate_exact_size(size, Sense::click());
     drawn(ui, response, icon, name, Some(is_on))

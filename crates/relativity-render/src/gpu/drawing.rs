@@ -75,21 +75,21 @@ pub struct InstanceBatch<T> {
     pub instances: Range<u32>,
 }
 
-/// The properties that the instances of a batch share.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The properties that the instances of a batch share. Its order is that in which rays draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Trait<T> {
+    /// Whether they are thinner than a pixel, and faded for that.
+    pub is_thin: bool,
     /// The number of their group.
     pub group: usize,
     /// The kind of their shapes.
     pub kind: Kind,
-    /// Template that each instance is a copy of.
-    pub template: T,
-    /// Whether they are thinner than a pixel, and faded for that.
-    pub is_thin: bool,
     /// Whether any of them carries a pattern.
     pub is_patterned: bool,
     /// Turning of the instances.
     pub turns: Turns,
+    /// Template that each instance is a copy of.
+    pub template: T,
 }
 
 impl Shot<'_> {

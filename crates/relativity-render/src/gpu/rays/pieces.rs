@@ -62,16 +62,12 @@ pub struct Piece {
 /// first that is drawn stays. Kept from view to view, for its memory.
 #[derive(Debug, Default)]
 pub struct Pieces {
-    lists: BTreeMap<List, Vec<Piece>>,
+    lists: BTreeMap<Trait<()>, Vec<Piece>>,
     /// The numbers of bodies that may be in the picture.
     candidates: Vec<u32>,
-    /// The pieces of so many of them each.
+    /// Results of the tasks that place the candidates, in the candidates' order.
     placed: Vec<PlacedPieces>,
 }
-
-/// What the pieces of a list have in common: whether they are thin, their group, kind, whether they are
-/// patterned, and whether they turn.
-type List = (bool, usize, Kind, bool, Turns);
 
 impl Pieces {
     /// Replaces all by the pieces of `shot` in groups whose views are `meant`. In numbers nothing is faded,
@@ -100,8 +96,8 @@ impl Pieces {
             let placed = &mut self.placed[..count];
             placed.par_iter_mut().zip(bodies).for_each(place);
             // In the order of the bodies, however many threads there are.
-            for &(list, piece) in placed.iter().flat_map(|placed| &placed.pieces) {
-                self.lists.entry(list).or_default().push(piece);
+            for &(shared, piece) in placed.iter().flat_map(|placed| &placed.pieces) {
+                self.lists.entry(shared).or_default().push(piece);
             }
         }
     }
@@ -109,16 +105,14 @@ impl Pieces {
     /// Returns the runs of pieces that one draw draws, in order.
     pub fn runs(&self) -> impl Iterator<Item = (Trait<()>, Iter<'_, Piece>)> {
         let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
-        filled.map(|(&(is_thin, group, kind, is_patterned, turns), list)| {
-            (Trait { group, kind, template: (), is_thin, is_patterned, turns }, list.iter())
-        })
+        filled.map(|(&shared, list)| (shared, list.iter()))
     }
 }
 
 /// The pieces of some bodies, and what they are found with.
 #[derive(Debug, Default)]
 struct PlacedPieces {
-    pieces: Vec<(List, Piece)>,
+    pieces: Vec<(Trait<()>, Piece)>,
     /// Rectangles in which the last body is.
     rectangles: Vec<Rectangle>,
     /// Capsules that contain the last body that turns.
@@ -128,12 +122,13 @@ struct PlacedPieces {
 impl PlacedPieces {
     /// The pieces of `body` in the rectangles just found.
     fn add(&mut self, body: &PreparedBody, shot: &Shot<'_>, thin_px: f64) {
-        let (template, turns) = (Piece::new(body, shot), shot.views[body.group].turns(body));
+        let &PreparedBody { group, kind, is_patterned, .. } = body;
+        let (piece, turns) = (Piece::new(body, shot), shot.views[group].turns(body));
         for rectangle in &self.rectangles {
             // Each sample of a model looks for itself, however thin that is.
-            let is_thin = rectangle.radius_px < thin_px && body.kind != Kind::Model;
-            let list = (is_thin, body.group, body.kind, body.is_patterned, turns);
-            self.pieces.push((list, template.placed(rectangle)));
+            let is_thin = rectangle.radius_px < thin_px && kind != Kind::Model;
+            let shared = Trait { is_thin, group, kind, is_patterned, turns, template: () };
+            self.pieces.push((shared, piece.placed(rectangle)));
         }
     }
 
