@@ -8,7 +8,8 @@ override ACROSS: u32;
 
 struct FrameUniform {
     // Line of sight (unnormalised) = base + right * (u - pole.x) + down * (v - pole.y), u and v in pixels; of
-    // a conformal picture see `conformal_line`. The pole is the pixel towards where the group comes from (-x,
+    // a conformal picture see `conformal_line`; base.w: the size of a pixel in focal lengths, or in u and v.
+    // The pole is the pixel towards where the group comes from (-x,
     // if it moves along +x) when that is in front of the camera: there n_y and n_z are small, matter
     // relatively, and must not come out of a difference.
     base: vec4f,
@@ -81,8 +82,8 @@ struct FrameUniform {
     // what is added on lines; between them the colour of infrared, and the grey of ultraviolet.
     hatch: array<vec4f, 2>,
     // Products with an apparent position give its clip coordinates x, y and w. In a conformal picture the
-    // unit vectors along the baseline, up and ahead, and w: the clip coordinates of a unit of u, of a radian
-    // of v, and u in the middle.
+    // unit vectors along the baseline, up and ahead. w: the clip coordinates of a focal length, or of a unit
+    // of u and a radian of v; and u in the middle.
     clip_right: vec4f,
     clip_up: vec4f,
     forward: vec4f,

@@ -1,7 +1,8 @@
 // One bounding rectangle per piece of a body; the ray test runs in the fragment stage and gives the depth.
 
 struct Piece {
-    // Rectangle in the picture (clip coordinates): centre and first half axis.
+    // Rectangle in the picture (clip coordinates): centre and first half axis; without axes it is the
+    // `footprint`.
     @location(0) place: vec4f,
     // Second half axis, number of the body, its brightness.
     @location(1) second_axis_index_brightness: vec4f,
@@ -32,8 +33,14 @@ struct Fragment {
 
 @vertex
 fn rectangle(@builtin(vertex_index) vertex: u32, piece: Piece) -> Fragment {
-    let corner = vec2f(f32(vertex & 1u), f32(vertex >> 1u)) * 2.0 - 1.0;
-    let place = piece.place.xy + piece.place.zw * corner.x + piece.second_axis_index_brightness.xy * corner.y;
+    let corner = vec2f(f32(vertex & 1u), f32(vertex >> 1u));
+    let axes = vec4f(piece.place.zw, piece.second_axis_index_brightness.xy);
+    let along = 2.0 * corner - 1.0;
+    var place = piece.place.xy + axes.xy * along.x + axes.zw * along.y;
+    if all(axes == vec4f(0.0)) {
+        let own = footprint(Body(piece.place_radius.xyz, piece.place_radius.w, piece.form, piece.turn));
+        place = mix(own.low, own.high, corner);
+    }
     return Fragment(
         vec4f(place, 0.5, 1.0),
         piece.place_radius,

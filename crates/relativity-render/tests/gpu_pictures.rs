@@ -9,7 +9,9 @@ use relativity_render::{
 };
 
 use crate::gpu_support::Test;
-use crate::gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
+use crate::gpu_support::scenes::{
+    conformal_views, parallel_views, still_life, swarms, time_seen_at, view_following,
+};
 use crate::support::{documented, sweep};
 
 pub const TESTS: &[Test] = &[
@@ -239,14 +241,16 @@ fn is_inside(hits: &HitImage, i: usize) -> bool {
 const LIGHT_SHARE: f64 = 0.01;
 
 fn edges_are_the_references_on_average(renderers: &mut Renderers) {
-    let bodies = still_life();
     let appearance = Appearance { intensity_exponent: None, sky: false, ..Appearance::default() };
-    let scene = PreparedScene::moving(&bodies);
-    let [expected, rays, packets] = [Method::Reference, Method::Rays, Method::Packets].map(|method| {
-        light(&renderers.picture(method, &scene, &fast(), &appearance, 4).expect("device works"))
-    });
-    for found in [rays, packets] {
-        assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
+    for bodies in [still_life(), swarms(100)] {
+        let scene = PreparedScene::moving(&bodies);
+        let [expected, rays, packets] = [Method::Reference, Method::Rays, Method::Packets].map(|method| {
+            light(&renderers.picture(method, &scene, &fast(), &appearance, 4).expect("device works"))
+        });
+        for found in [rays, packets] {
+            println!("{found} for {expected}");
+            assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
+        }
     }
 }
 

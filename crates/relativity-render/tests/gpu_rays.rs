@@ -11,7 +11,7 @@ use relativity_render::{
 
 use crate::gpu_support::Test;
 use crate::gpu_support::scenes::{
-    conformal_views, crowd, oblique_views, parallel_views, round_still_life, speeds, still_life,
+    conformal_views, crowd, oblique_views, parallel_views, round_still_life, speeds, still_life, swarms,
     time_seen_at, view_following,
 };
 use crate::joints::{joints, shared_pixels};
@@ -287,7 +287,7 @@ fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
 
 fn bounds_never_clip(renderers: &mut Renderers) {
     let mut unbounded = Renderers::brute_force(renderers.gpu().expect("a device").clone());
-    let bodies = crowd(150);
+    let (crowd, swarms) = (PreparedScene::moving(&crowd(150)), PreparedScene::moving(&swarms(10)));
     let right = DVec3::new(0.96, 0.0, 0.28);
     let projections = [
         Projection::Gaze,
@@ -300,12 +300,12 @@ fn bounds_never_clip(renderers: &mut Renderers) {
         [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)].map(|followed| (case, followed))
     });
     let cases = cases.flat_map(|case| projections.map(|projection| (case, projection)));
-    for (((geometry, speed), (rest, fov)), projection) in sweep(0, 10, cases) {
+    let cases = cases.flat_map(|case| [(case, &crowd), (case, &swarms)]);
+    for ((((geometry, speed), (rest, fov)), projection), scene) in sweep(0, 10, cases) {
         let mut view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
         view.camera.projection = projection;
-        let [found, expected] = [&mut *renderers, &mut unbounded].map(|renderers| {
-            renderers.hits(Method::Rays, &PreparedScene::moving(&bodies), &view).expect("device works")
-        });
+        let [found, expected] = [&mut *renderers, &mut unbounded]
+            .map(|renderers| renderers.hits(Method::Rays, scene, &view).expect("device works"));
         let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
         assert_eq!(differing, 0, "{geometry:?} gamma {} fov {fov} {projection:?}", speed.gamma());
     }

@@ -6,7 +6,7 @@ use crate::shaders::{Source, source};
 macro_rules! impostor {
     ([$($test:literal),+], $pattern:literal, [$($pixels:literal),+], $picture:literal) => {
         source!(
-            "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "impostor", $($test),+, $pattern, $($pixels),+, $picture
+            "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "sighting", "footprint", "impostor", $($test),+, $pattern, $($pixels),+, $picture
         )
     };
 }
@@ -43,7 +43,7 @@ macro_rules! kinds {
             pub const fn mesh(self) -> Source {
                 match self {
                     $(Self::$kind => source!(
-                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", $($test),+, "mesh", "mesh_turning", $($corners),+, $pattern
+                        "frame", "passage", "rest_ray", "tables", "colour", "body", "turning", "course", "daylight", "pattern", "sighting", $($test),+, "mesh", "mesh_turning", $($corners),+, $pattern
                     ),)+
                 }
             }

@@ -134,16 +134,34 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
     {
         self.instances.clear();
         self.in_order.clear();
-        for (Trait { group, kind, template, is_thin, is_patterned, turns }, run) in runs {
+        for (shared, run) in runs {
             let start = self.instances.len() as u32;
             self.instances.extend(run);
-            let output = Output::new(&shot.views[group], turns, shot.appearance, is_thin, is_patterned);
-            let key = Key::new(kind, turns, shot.views, group, output);
-            self.pipelines.prepare(gpu, key);
-            let instances = start..self.instances.len() as u32;
-            self.in_order.push(InstanceBatch { group, key, template, instances });
+            self.add(gpu, shot, shared, start..self.instances.len() as u32);
         }
         fill_vertex_buffer(gpu, vertices, &self.instances);
+    }
+
+    /// Replaces all by these ranges of a buffer that is filled already, and makes the pipelines that they
+    /// need.
+    pub fn refer(
+        &mut self,
+        gpu: &Gpu,
+        shot: &Shot<'_>,
+        ranges: impl Iterator<Item = (Trait<T>, Range<u32>)>,
+    ) {
+        self.in_order.clear();
+        for (shared, range) in ranges {
+            self.add(gpu, shot, shared, range);
+        }
+    }
+
+    fn add(&mut self, gpu: &Gpu, shot: &Shot<'_>, shared: Trait<T>, instances: Range<u32>) {
+        let Trait { group, kind, template, is_thin, is_patterned, turns } = shared;
+        let output = Output::new(&shot.views[group], turns, shot.appearance, is_thin, is_patterned);
+        let key = Key::new(kind, turns, shot.views, group, output);
+        self.pipelines.prepare(gpu, key);
+        self.in_order.push(InstanceBatch { group, key, template, instances });
     }
 
     /// The batches, in order.

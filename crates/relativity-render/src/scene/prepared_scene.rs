@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::slice;
 use std::sync::Arc;
 
+use super::blocks::{Block, Blocks};
 use super::body::{Body, Emission};
 use super::prepared_body::{PreparedBody, find_joints, find_patterned, find_repeated, number_emissions};
 use super::standing::StandingBodies;
@@ -233,6 +234,17 @@ impl PreparedScene {
     /// its `view` does not show wherever it looks.
     pub(crate) fn hierarchy(&self, group: usize, view: &GroupView) -> &Hierarchy {
         self.0.standing[group].seen_from(view.origin)
+    }
+
+    /// The bodies of the group of this number that keep their places in it, in blocks.
+    pub(crate) fn blocks(&self, group: usize) -> &Blocks {
+        let standing = &self.0.standing[group];
+        standing.blocks.get_or_init(|| Blocks::new(self, &self.groups()[group].extent, standing))
+    }
+
+    /// Those blocks of the group of this number that its `view` may show wherever it looks.
+    pub(crate) fn seen_blocks(&self, group: usize, view: &GroupView) -> impl Iterator<Item = &Block> {
+        self.blocks(group).seen(self.0.standing[group].is_in_a_ball(view.origin))
     }
 
     /// Returns the beam of rays within `cap` as `view` has them in the group of this number; `None` where

@@ -3,8 +3,12 @@
 //! A body inside of a ball is hidden by it from all eyes that are not in it themselves: where a ray meets
 //! that body, it has met the ball before. Bodies one in the other cost no more than the outermost.
 
+use std::collections::HashSet;
+use std::sync::OnceLock;
+
 use glam::DVec3;
 
+use super::blocks::Blocks;
 use super::prepared_body::PreparedBody;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::extent::Extent;
@@ -23,6 +27,8 @@ pub(crate) struct StandingBodies {
     all: Hierarchy,
     /// Bodies that no ball hides, if any ball hides others.
     outside: Option<Outside>,
+    /// Blocks of the bodies, once a renderer has asked for them.
+    pub blocks: OnceLock<Blocks>,
 }
 
 /// The bodies that are seen from outside of balls.
@@ -58,13 +64,29 @@ impl StandingBodies {
         let is_outside = |body: &&PreparedBody| !balls.iter().any(|ball| ball.hides(&around(body)));
         let outside = (!balls.is_empty())
             .then(|| Hierarchy::new(standing().filter(is_outside).flat_map(boxes), extent.middle));
-        Self { all, outside: outside.map(|hierarchy| Outside { balls, hierarchy }) }
+        let outside = outside.map(|hierarchy| Outside { balls, hierarchy });
+        Self { all, outside, blocks: OnceLock::new() }
+    }
+
+    /// Returns the numbers of all bodies, and whether a ball hides each from the
+    /// eyes outside.
+    pub fn numbers(&self) -> impl Iterator<Item = (u32, bool)> {
+        let seen: Option<HashSet<u32>> =
+            self.outside.as_ref().map(|outside| outside.hierarchy.bodies_by_node().flatten().collect());
+        let mut told = HashSet::new();
+        let each_once = self.all.bodies_by_node().flatten().filter(move |&body| told.insert(body));
+        each_once.map(move |body| (body, seen.as_ref().is_some_and(|seen| !seen.contains(&body))))
     }
 
     /// Returns the boxes of what may be seen by an `eye` in the rest frame of the group.
     pub fn seen_from(&self, eye: DVec3) -> &Hierarchy {
-        let is_outside = |outside: &&Outside| !outside.balls.iter().any(|ball| ball.holds(eye));
-        self.outside.as_ref().filter(is_outside).map_or(&self.all, |outside| &outside.hierarchy)
+        let outside = self.outside.as_ref().filter(|_| !self.is_in_a_ball(eye));
+        outside.map_or(&self.all, |outside| &outside.hierarchy)
+    }
+
+    /// Whether an `eye` in the rest frame of the group is in one of the balls that hide bodies.
+    pub fn is_in_a_ball(&self, eye: DVec3) -> bool {
+        self.outside.iter().flat_map(|outside| &outside.balls).any(|ball| ball.holds(eye))
     }
 }
 

@@ -53,36 +53,51 @@ fn flat_still_life() -> Vec<Body> {
 /// `count` bodies of every shape strewn around the aperture, some of them around it or behind it.
 pub fn crowd(count: u32) -> Vec<Body> {
     let shape = |i| {
-        let [x, y, z, size, u, v, w] = spread(i);
-        let centre = centred([x, y, z]) * DVec3::new(6.0, 3.0, 3.0);
-        let direction = centred([u, v, w]).normalize();
-        let size = 0.02 + 0.5 * size * size;
-        match i % 5 {
-            0 => Shape::Sphere { centre: centre.to_array(), radius: 0.5 * size },
-            3 => Shape::Box {
-                centre: centre.to_array(),
-                half: [2.0 * size, (0.1 + u) * size, 0.5 * v * size + 1e-3],
-                turn: DQuat::from_rotation_arc(DVec3::X, direction).to_array(),
-            },
-            4 => Shape::Cylinder {
-                from: (centre - direction * 2.0 * u * size).to_array(),
-                to: (centre + direction * (2.0 * u * size + 1e-3)).to_array(),
-                radius: (0.1 + w) * size,
-            },
-            1 => Shape::Tube {
-                from: (centre - direction * 3.0 * size).to_array(),
-                to: (centre + direction * 3.0 * size).to_array(),
-                radius: 0.2 * size,
-            },
-            _ => Shape::Ring {
-                centre: centre.to_array(),
-                axis: direction.to_array(),
-                radius: 2.0 * size,
-                tube_radius: 0.15 * size,
-            },
-        }
+        let [_, _, _, size] = spread(i);
+        strewn(i, DVec3::ZERO, 0.02 + 0.5 * size * size)
     };
     bodies((0..count).map(shape).collect())
+}
+
+/// Of each of `count` small bodies, strewn as in a crowd, a swarm of twelve.
+pub fn swarms(count: u32) -> Vec<Body> {
+    let shape = |i| {
+        let [size, x, y, z] = spread(i);
+        let size = 0.002 + 0.02 * size * size;
+        strewn(i / 12, 10.0 * size * centred([x, y, z]), size)
+    };
+    bodies((0..12 * count).map(shape).collect())
+}
+
+/// The body of this number in a crowd, moved by `off`.
+fn strewn(i: u32, off: DVec3, size: f64) -> Shape {
+    let [x, y, z, _, u, v, w] = spread(i);
+    let centre = centred([x, y, z]) * DVec3::new(6.0, 3.0, 3.0) + off;
+    let direction = centred([u, v, w]).normalize();
+    match i % 5 {
+        0 => Shape::Sphere { centre: centre.to_array(), radius: 0.5 * size },
+        3 => Shape::Box {
+            centre: centre.to_array(),
+            half: [2.0 * size, (0.1 + u) * size, 0.5 * v * size + 1e-3],
+            turn: DQuat::from_rotation_arc(DVec3::X, direction).to_array(),
+        },
+        4 => Shape::Cylinder {
+            from: (centre - direction * 2.0 * u * size).to_array(),
+            to: (centre + direction * (2.0 * u * size + 1e-3)).to_array(),
+            radius: (0.1 + w) * size,
+        },
+        1 => Shape::Tube {
+            from: (centre - direction * 3.0 * size).to_array(),
+            to: (centre + direction * 3.0 * size).to_array(),
+            radius: 0.2 * size,
+        },
+        _ => Shape::Ring {
+            centre: centre.to_array(),
+            axis: direction.to_array(),
+            radius: 2.0 * size,
+            tube_radius: 0.15 * size,
+        },
+    }
 }
 
 fn bodies(shapes: Vec<Shape>) -> Vec<Body> {

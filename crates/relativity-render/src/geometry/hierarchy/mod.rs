@@ -103,6 +103,16 @@ impl Hierarchy {
         self.nodes.is_empty()
     }
 
+    /// The numbers of the bodies in each node, neighbours; one of several pieces more than once.
+    pub fn bodies_by_node(&self) -> impl Iterator<Item = impl Iterator<Item = u32>> {
+        let are_bodies = |holds| matches!(holds, Holds::Body | Holds::Piece);
+        let in_node = move |node: &Node| {
+            let lanes = node.numbers.into_iter().zip(node.holds);
+            lanes.filter(move |(_, holds)| are_bodies(*holds)).map(|(number, _)| number)
+        };
+        self.nodes.iter().map(in_node)
+    }
+
     /// The boxes in the node of this number; the first is around all.
     pub fn children(&self, node: usize) -> impl Iterator<Item = Child> {
         let node = &self.nodes[node];

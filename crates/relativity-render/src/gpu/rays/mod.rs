@@ -4,6 +4,7 @@
 //! fragment stage boosts the pixel's line of sight into the rest frame, where rays are straight, and
 //! tests it against the body.
 
+mod crowd;
 mod pieces;
 
 use crate::geometry::kind::Kind;
@@ -13,6 +14,7 @@ use crate::gpu::drawing::{Batches, Drawing, Shot};
 use crate::gpu::pipelines::{Pipelines, Technique};
 use crate::gpu::sampling::Sampling;
 use crate::view::group_view::GroupView;
+use crowd::Crowd;
 use pieces::Pieces;
 pub use pieces::{Bounds, Piece};
 
@@ -22,6 +24,7 @@ pub struct RayRenderer {
     bounds: Bounds,
     pieces: Pieces,
     batches: Batches<Piece, ()>,
+    crowd: Crowd,
 }
 
 /// Rectangles, and a ray test for each of their pixels.
@@ -47,8 +50,8 @@ pub fn technique(gpu: &Gpu) -> Technique {
 impl RayRenderer {
     /// A renderer on `gpu` that looks for bodies within `bounds`; pipelines are made when first needed.
     pub fn new(gpu: &Gpu, canvas: &Canvas, bounds: Bounds) -> Self {
-        let pipelines = Pipelines::new(technique(gpu), canvas.body_layout(gpu));
-        Self { bounds, pieces: Pieces::default(), batches: Batches::new(pipelines) }
+        let batches = || Batches::new(Pipelines::new(technique(gpu), canvas.body_layout(gpu)));
+        Self { bounds, pieces: Pieces::default(), batches: batches(), crowd: Crowd::new(gpu, batches()) }
     }
 
     /// Puts the bodies of the groups whose views are `meant` into the vertex buffer, and makes the pipelines
@@ -60,8 +63,9 @@ impl RayRenderer {
         shot: &Shot<'_>,
         meant: impl Fn(&GroupView) -> bool,
     ) {
-        self.pieces.refill(shot, self.bounds, meant);
+        self.pieces.refill(&mut self.crowd, shot, self.bounds, meant);
         self.batches.refill(gpu, vertices, shot, self.pieces.runs());
+        self.crowd.load(gpu, shot);
     }
 }
 
@@ -77,10 +81,12 @@ impl Drawing for RayRenderer {
         frames: &[wgpu::BindGroup],
         are_thin: bool,
     ) {
-        for batch in self.batches.of_bodies(are_thin) {
-            self.batches.begin(pass, frames, batch);
-            pass.set_vertex_buffer(0, vertices.slice(..));
-            pass.draw(0..4, batch.instances.clone());
+        for (batches, vertices) in [(&self.batches, vertices), self.crowd.drawn()] {
+            for batch in batches.of_bodies(are_thin) {
+                batches.begin(pass, frames, batch);
+                pass.set_vertex_buffer(0, vertices.slice(..));
+                pass.draw(0..4, batch.instances.clone());
+            }
         }
     }
 }

@@ -10,11 +10,11 @@ use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use relativity_core::threads::prelude::*;
 
+use super::crowd::{BlockView, Crowd};
 use crate::geometry::capsule::Capsule;
 use crate::geometry::kind::Kind;
 use crate::gpu::drawing::{Shot, Trait};
 use crate::picture::footprint::{Bound, Footprint, FootprintMap, Rectangle};
-use crate::picture::tiles::Tile;
 use crate::scene::prepared_body::{Placement, PreparedBody};
 use crate::scene::prepared_scene::PreparedScene;
 use crate::scene::wheel::packed::{TurningStart, Turns};
@@ -27,7 +27,7 @@ const MAX_HALVINGS: u32 = 5;
 /// Below this radius a piece may be faded in pictures instead of drawn thinner, px. The shader fades what it
 /// finds thinner than half a pixel; the rest is room. The radius is the one across x: what
 /// `Geometry::Contracted` flattens along x below a pixel is drawn as thin as it is there.
-const THIN_PX: f64 = 0.75;
+pub const THIN_PX: f64 = 0.75;
 
 /// Bodies that one thread places before it asks for more: 0.15 ms, beside which a thread costs little.
 const PLACED_TOGETHER: usize = 64;
@@ -70,15 +70,29 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Replaces all by the pieces of `shot` in groups whose views are `meant`. In numbers nothing is faded,
-    /// so none is thin there.
-    pub fn refill(&mut self, shot: &Shot<'_>, bounds: Bounds, meant: impl Fn(&GroupView) -> bool) {
+    /// Replaces all by the pieces of `shot` in groups whose views are `meant`, but for what joins the `crowd`.
+    /// In numbers nothing is faded, so none is thin there.
+    pub fn refill(
+        &mut self,
+        crowd: &mut Crowd,
+        shot: &Shot<'_>,
+        bounds: Bounds,
+        meant: impl Fn(&GroupView) -> bool,
+    ) {
         let thin_px = if shot.appearance.is_some() { THIN_PX } else { 0.0 };
         self.lists.values_mut().for_each(Vec::clear);
+        crowd.clear();
         for (number, view) in shot.views.iter().enumerate().filter(|(_, view)| meant(view)) {
             let projection = FootprintMap::new(view);
             self.candidates.clear();
-            add_candidates(shot.scene, number, view, bounds, &mut self.candidates);
+            let decide = BlockView::new(view, &projection, thin_px);
+            match bounds {
+                Bounds::Tight => crowd.divide(shot.scene, number, &decide, &mut self.candidates),
+                Bounds::None => {
+                    let bodies = shot.scene.groups()[number].bodies.clone();
+                    self.candidates.extend(bodies.map(|body| body as u32));
+                }
+            }
             let place = |(placed, bodies): (&mut PlacedPieces, &[u32])| {
                 placed.pieces.clear();
                 for &body in bodies {
@@ -176,26 +190,6 @@ fn least_shown(radius: f64, view: &GroupView) -> f64 {
     if view.geometry == Geometry::Contracted { 0.5 * radius } else { radius }
 }
 
-/// Adds the numbers, in order, of the bodies of a group that may be in the picture: of those that keep their
-/// places as far as the hierarchy tells.
-fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds: Bounds, out: &mut Vec<u32>) {
-    let prepared = &scene.groups()[group];
-    let picture = Tile { corner: [0, 0], size: view.camera.size };
-    let cap = picture.cap(&view.camera.lines_of_sight());
-    let beam = scene.beam(group, view, &cap).filter(|_| bounds == Bounds::Tight);
-    let Some(beam) = beam else {
-        out.extend(prepared.bodies.clone().map(|body| body as u32));
-        return;
-    };
-    out.extend(scene.turning_in(prepared.bodies.clone()).map(|body| body as u32));
-    scene.hierarchy(group, view).along(&beam, |candidate| {
-        out.push(candidate.body);
-        f32::INFINITY
-    });
-    out.sort_unstable();
-    out.dedup();
-}
-
 fn add_capsules(projection: &FootprintMap, view: &GroupView, capsules: &[Capsule], out: &mut Vec<Rectangle>) {
     for capsule in capsules {
         add_rectangles(projection, &capsule.along_motion_from_camera(view), MAX_HALVINGS, out);
@@ -227,8 +221,8 @@ impl Piece {
         ],
     };
 
-    /// Returns the piece of `body`, without a rectangle.
-    fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
+    /// Returns the piece of `body`, without a rectangle: the vertex stage finds one.
+    pub fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
         let TurningStart { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
         Self {
             place: [0.0; 4],

@@ -1,6 +1,7 @@
 //! The projection of a group into a view: the place of a piece with round ends, and the rectangle around it.
 
 use glam::{DVec2, DVec3};
+use relativity_core::math::hypot;
 
 use crate::camera::Gauge;
 use crate::camera::mercator::Mercator;
@@ -91,6 +92,34 @@ impl FootprintMap {
     /// not in the picture.
     pub fn hides(&self, centre: DVec3, radius: f64) -> bool {
         self.footprint(&Capsule::ball(centre, radius)) == Some(Footprint::Hidden)
+    }
+
+    /// Returns the least and the greatest length that a pixel spans where places of a rest-frame ball are
+    /// seen, ground frame. `None` if the camera is in the ball or near it.
+    ///
+    /// From its value at the middle c the distance gamma (|c| - `beta c_x`) changes over the ball by at most
+    /// its gradient, gamma |c/|c| - beta x|, times the radius r, and by gamma r^2/2(|c| - r) more; the place
+    /// along x by the same of gamma (`c_x` - beta |c|).
+    pub fn lengths_of_a_pixel(&self, centre: DVec3, radius: f64) -> Option<[f64; 2]> {
+        let Self { beta, gamma, .. } = *self;
+        let distance = centre.length();
+        if distance <= 2.0 * radius {
+            return None;
+        }
+        let seen = self.apparent_centre(centre, 0.0)?;
+        let (from, px) = match &self.mercator {
+            Some(mercator) => (seen.cross(mercator.axes.right).length(), mercator.px_per_unit),
+            None => (seen.length(), self.focal_length_px),
+        };
+        let (sight, bend) = (centre / distance, 0.5 * radius / (distance - radius));
+        let off = match (self.geometry.has_doppler_effect(), &self.mercator) {
+            (false, _) => radius,
+            (true, None) => gamma * radius * ((sight - DVec3::X * beta).length() + bend),
+            (true, Some(_)) => {
+                hypot(radius, gamma * radius * ((DVec3::X - sight * beta).length() + beta * bend))
+            }
+        };
+        (from > off).then(|| [from - off, from + off].map(|distance| distance / px))
     }
 
     /// Returns the footprint of `capsule`; `None` if it has none as a whole.
