@@ -2,30 +2,22 @@
 
 use relativity_core::math;
 
-use super::here::{Here, Value};
+use super::here::{Here, Value, value};
 
 /// Values of a body's ends.
 pub const VALUES: &[Value] = &[
-    Value {
-        name: "stereo_length",
-        what: "length at which two eyes place a body with two ends, such as a rod",
-        work_out: |here| {
-            let [dx, dy, dz] = here.stereo_span()?;
-            Some(math::hypot(math::hypot(dx, dy), dz))
-        },
-    },
-    Value {
-        name: "stereo_turn",
-        what: "its turn from the motion as two eyes place it, degrees",
-        work_out: |here| {
-            let [dx, dy, _] = here.stereo_span()?;
-            Some(math::atan2(dy.abs(), dx.abs()).to_degrees())
-        },
-    },
-    Value {
-        name: "seen_length",
-        what: "how many times as long along the motion as at rest, between where the left eye sees its ends",
-        work_out: |here| {
+    value("stereo_length", "length at which two eyes place a body with two ends, such as a rod", |here| {
+        let [dx, dy, dz] = here.stereo_span()?;
+        Some(math::hypot(math::hypot(dx, dy), dz))
+    }),
+    value("stereo_turn", "its turn from the motion as two eyes place it, degrees", |here| {
+        let [dx, dy, _] = here.stereo_span()?;
+        Some(math::atan2(dy.abs(), dx.abs()).to_degrees())
+    }),
+    value(
+        "seen_length",
+        "how many times as long along the motion as at rest, between where the left eye sees its ends",
+        |here| {
             let [from, to] = here.ends()?;
             let seen = |end| {
                 let end = here.scene.track_at(end, here.body?)?;
@@ -33,16 +25,12 @@ pub const VALUES: &[Value] = &[
             };
             Some((seen(to)? - seen(from)?) / (to[0] - from[0]))
         },
-    },
-    Value {
-        name: "rest_length",
-        what: "how long it is at rest, from end to end",
-        work_out: |here| {
-            let [from, to] = here.ends()?;
-            let [dx, dy, dz] = [0, 1, 2].map(|axis| to[axis] - from[axis]);
-            Some(math::hypot(math::hypot(dx, dy), dz))
-        },
-    },
+    ),
+    value("rest_length", "how long it is at rest, from end to end", |here| {
+        let [from, to] = here.ends()?;
+        let [dx, dy, dz] = [0, 1, 2].map(|axis| to[axis] - from[axis]);
+        Some(math::hypot(math::hypot(dx, dy), dz))
+    }),
 ];
 
 impl Here<'_> {

@@ -16,6 +16,11 @@ pub struct Value {
     pub work_out: fn(&Here) -> Option<f64>,
 }
 
+/// A row of a table of values.
+pub const fn value(name: &'static str, what: &'static str, work_out: fn(&Here) -> Option<f64>) -> Value {
+    Value { name, what, work_out }
+}
+
 /// The place that a value is computed for: a point of a scene at a T.
 pub struct Here<'a> {
     /// Settings of the step, with those of the steps before.

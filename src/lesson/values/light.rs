@@ -3,55 +3,45 @@
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_core::{Speed, math, observation_time_when_seen_at};
 
-use super::here::{Here, Value};
+use super::here::{Here, Value, value};
 
 /// Values of the received light.
 pub const VALUES: &[Value] = &[
-    Value {
-        name: "received_nm",
-        what: "wavelength that the left eye receives of its light of one wavelength, nm",
-        work_out: |here| Some(received_wavelength(here.rest_nm()?, here.left()?.doppler_factor)),
-    },
-    Value {
-        name: "received_kelvin",
-        what: "temperature of the glow that the left eye receives of it as it glows, K",
-        work_out: |here| Some(here.settings.light.temperature * here.left()?.doppler_factor),
-    },
-    Value {
-        name: "T_of_D_1",
-        what: "when its light is received as it was sent (D = 1)",
-        work_out: time_of_unit_doppler,
-    },
-    Value {
-        name: "D_coming",
-        what: "Doppler factor of what comes straight at the eyes",
-        work_out: |here| Some(here.own_speed().head_on_doppler_factor()),
-    },
-    Value {
-        name: "D_going",
-        what: "Doppler factor of what goes straight away from the eyes",
-        work_out: |here| Some(1.0 / here.own_speed().head_on_doppler_factor()),
-    },
-    Value {
-        name: "brightness",
-        what: "how many times as bright as at rest the left eye receives it, by the exponent that is set",
-        work_out: |here| Some(intensity_factor(here.left()?.doppler_factor, here.exponent()?)),
-    },
-    Value {
-        name: "coming_to_going",
-        what: "how many times as bright it is received straight ahead of it as straight behind, by that exponent",
-        work_out: |here| {
-            Some(intensity_factor(here.own_speed().head_on_doppler_factor(), 2.0 * here.exponent()?))
-        },
-    },
-    Value {
-        name: "headlight_angle",
-        what: "arccos beta: half of the angle of the cone, on the ground, that its forward half of light goes into, degrees",
-        work_out: |here| {
+    value(
+        "received_nm",
+        "wavelength that the left eye receives of its light of one wavelength, nm",
+        |here| Some(received_wavelength(here.rest_nm()?, here.left()?.doppler_factor)),
+    ),
+    value(
+        "received_kelvin",
+        "temperature of the glow that the left eye receives of it as it glows, K",
+        |here| Some(here.settings.light.temperature * here.left()?.doppler_factor),
+    ),
+    value("T_of_D_1", "when its light is received as it was sent (D = 1)", time_of_unit_doppler),
+    value("D_coming", "Doppler factor of what comes straight at the eyes", |here| {
+        Some(here.own_speed().head_on_doppler_factor())
+    }),
+    value("D_going", "Doppler factor of what goes straight away from the eyes", |here| {
+        Some(1.0 / here.own_speed().head_on_doppler_factor())
+    }),
+    value(
+        "brightness",
+        "how many times as bright as at rest the left eye receives it, by the exponent that is set",
+        |here| Some(intensity_factor(here.left()?.doppler_factor, here.exponent()?)),
+    ),
+    value(
+        "coming_to_going",
+        "how many times as bright it is received straight ahead of it as straight behind, by that exponent",
+        |here| Some(intensity_factor(here.own_speed().head_on_doppler_factor(), 2.0 * here.exponent()?)),
+    ),
+    value(
+        "headlight_angle",
+        "arccos beta: half of the angle of the cone, on the ground, that its forward half of light goes into, degrees",
+        |here| {
             let speed = here.own_speed();
             Some(math::atan2(1.0 / speed.gamma(), speed.beta()).to_degrees())
         },
-    },
+    ),
 ];
 
 impl Here<'_> {

@@ -4,23 +4,17 @@ use std::f64::consts::FRAC_PI_2;
 
 use relativity_core::{SourcePoint, Turning, WheelPoint};
 
-use super::here::{Here, Value};
+use super::here::{Here, Value, value};
 
 /// Values of a rolling wheel.
 pub const VALUES: &[Value] = &[
-    Value {
-        name: "top_speed",
-        what: "speed on the ground of the top of a wheel that rolls, c",
-        work_out: |here| Some(top_speed(here)),
-    },
-    Value {
-        name: "D_top",
-        what: "Doppler factor of the top of a wheel that rolls, where that is seen abeam",
-        work_out: |here| {
-            let speed = here.settings.speed();
-            Some(speed.inverse_gamma_squared() / (1.0 + speed.beta() * speed.beta()))
-        },
-    },
+    value("top_speed", "speed on the ground of the top of a wheel that rolls, c", |here| {
+        Some(top_speed(here))
+    }),
+    value("D_top", "Doppler factor of the top of a wheel that rolls, where that is seen abeam", |here| {
+        let speed = here.settings.speed();
+        Some(speed.inverse_gamma_squared() / (1.0 + speed.beta() * speed.beta()))
+    }),
 ];
 
 fn top_speed(here: &Here) -> f64 {
