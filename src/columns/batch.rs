@@ -153,7 +153,7 @@ impl Batch<'_> {
             places.map(|place| place.map_or(Column::Same(0.0), |place| self.inputs[place]));
         let speeds = match (speed.each(), self.header.speed_parameter()) {
             (None, _) => Speeds::Same(first.speed),
-            (Some(betas), SpeedParameter::Beta) => Speeds::Betas(betas),
+            (Some(betas), SpeedParameter::Beta) => Speeds::Each(betas),
             (Some(_), _) => return false,
         };
         let apertures = first.baseline.apertures();

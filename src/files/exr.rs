@@ -78,8 +78,32 @@ pub enum Channel {
     TriangleC,
 }
 
+/// Every channel, in the order of [`Channel`].
+static CHANNELS: [Definition; 16] = [
+    same(Channel::Id, "id", -1.0, |hit, _| hit.body as f64),
+    same(Channel::Group, "group", -1.0, |hit, light| light.scene.group_of(hit.body) as f64),
+    // Rest lengths along a ray: s* = s/D.
+    corrected(Channel::Distance, "distance", |hit, _| hit.distance, |doppler, _| 1.0 / doppler),
+    same(Channel::EmissionTime, "emission_time", 0.0, |hit, _| hit.emission_time),
+    same(Channel::ProperTime, "proper_time", 0.0, |hit, _| hit.proper_time),
+    same(Channel::MaterialAngle, "material_angle", NO_ANGLE, material_angle),
+    same(Channel::Material, "material", NO_MATERIAL, material),
+    corrected(Channel::Doppler, "doppler", |hit, _| hit.doppler_factor, |doppler, _| 1.0 / doppler),
+    corrected(Channel::WavelengthNm, "wavelength_nm", received_nm, wavelength_correction),
+    corrected(Channel::Intensity, "intensity", received_intensity, intensity_correction),
+    same(Channel::RestX, "rest_x", 0.0, |hit, _| hit.rest_position.x),
+    same(Channel::RestY, "rest_y", 0.0, |hit, _| hit.rest_position.y),
+    same(Channel::RestZ, "rest_z", 0.0, |hit, _| hit.rest_position.z),
+    same(Channel::Triangle, "triangle", NO_TRIANGLE, |hit, _| {
+        hit.triangle.map_or(NO_TRIANGLE.into(), |point| f64::from(point.triangle))
+    }),
+    same(Channel::TriangleB, "triangle_b", 0.0, |hit, light| triangle_weight(hit, light, 0)),
+    same(Channel::TriangleC, "triangle_c", 0.0, |hit, light| triangle_weight(hit, light, 1)),
+];
+
 /// A row of the table of channels.
 struct Definition {
+    channel: Channel,
     /// Name in the file, after the layer's.
     name: &'static str,
     /// Value where nothing is seen.
@@ -91,62 +115,28 @@ struct Definition {
 }
 
 /// A channel that is the same in the frame of the bodies.
-const fn same(name: &'static str, nothing: f32, value: fn(&Hit, &ChannelLight<'_>) -> f64) -> Definition {
-    Definition { name, nothing, value, factor: |_, _| 1.0 }
+const fn same(
+    channel: Channel,
+    name: &'static str,
+    nothing: f32,
+    value: fn(&Hit, &ChannelLight<'_>) -> f64,
+) -> Definition {
+    Definition { channel, name, nothing, value, factor: |_, _| 1.0 }
 }
 
 /// A channel that is not.
 const fn corrected(
+    channel: Channel,
     name: &'static str,
     value: fn(&Hit, &ChannelLight<'_>) -> f64,
     factor: fn(f64, LightCorrection) -> f64,
 ) -> Definition {
-    Definition { name, nothing: 0.0, value, factor }
+    Definition { channel, name, nothing: 0.0, value, factor }
 }
 
 impl Channel {
-    /// Every channel.
-    pub const ALL: [Self; 16] = [
-        Self::Id,
-        Self::Group,
-        Self::Distance,
-        Self::EmissionTime,
-        Self::ProperTime,
-        Self::MaterialAngle,
-        Self::Material,
-        Self::Doppler,
-        Self::WavelengthNm,
-        Self::Intensity,
-        Self::RestX,
-        Self::RestY,
-        Self::RestZ,
-        Self::Triangle,
-        Self::TriangleB,
-        Self::TriangleC,
-    ];
-
-    const fn definition(self) -> Definition {
-        match self {
-            Self::Id => same("id", -1.0, |hit, _| hit.body as f64),
-            Self::Group => same("group", -1.0, |hit, light| light.scene.group_of(hit.body) as f64),
-            // Rest lengths along a ray: s* = s/D.
-            Self::Distance => corrected("distance", |hit, _| hit.distance, |doppler, _| 1.0 / doppler),
-            Self::EmissionTime => same("emission_time", 0.0, |hit, _| hit.emission_time),
-            Self::ProperTime => same("proper_time", 0.0, |hit, _| hit.proper_time),
-            Self::MaterialAngle => same("material_angle", NO_ANGLE, material_angle),
-            Self::Material => same("material", NO_MATERIAL, material),
-            Self::Doppler => corrected("doppler", |hit, _| hit.doppler_factor, |doppler, _| 1.0 / doppler),
-            Self::WavelengthNm => corrected("wavelength_nm", received_nm, wavelength_correction),
-            Self::Intensity => corrected("intensity", received_intensity, intensity_correction),
-            Self::RestX => same("rest_x", 0.0, |hit, _| hit.rest_position.x),
-            Self::RestY => same("rest_y", 0.0, |hit, _| hit.rest_position.y),
-            Self::RestZ => same("rest_z", 0.0, |hit, _| hit.rest_position.z),
-            Self::Triangle => same("triangle", NO_TRIANGLE, |hit, _| {
-                hit.triangle.map_or(NO_TRIANGLE.into(), |point| f64::from(point.triangle))
-            }),
-            Self::TriangleB => same("triangle_b", 0.0, |hit, light| triangle_weight(hit, light, 0)),
-            Self::TriangleC => same("triangle_c", 0.0, |hit, light| triangle_weight(hit, light, 1)),
-        }
+    const fn definition(self) -> &'static Definition {
+        &CHANNELS[self as usize]
     }
 
     /// Returns the name in a file, after that of the layer and a dot.
@@ -161,7 +151,7 @@ impl Channel {
     pub fn from_name(name: &str) -> Option<Self> {
         match name.rsplit('.').next()? {
             "R" | "G" | "B" | "Y" => Some(Self::Intensity),
-            name => Self::ALL.into_iter().find(|channel| channel.name() == name),
+            name => CHANNELS.iter().find(|row| row.name == name).map(|row| row.channel),
         }
     }
 
@@ -251,10 +241,9 @@ impl Measurements {
     pub fn of_eyes(eyes: &[HitImage; 2], light: ChannelLight<'_>, comments: &str) -> Self {
         let mut channels = BTreeMap::new();
         for (eye, image) in EYES.into_iter().zip(eyes) {
-            for channel in Channel::ALL {
-                let Definition { name, nothing, value, .. } = channel.definition();
+            for Definition { name, nothing, value, .. } in &CHANNELS {
                 let sample =
-                    |hit: &Option<Hit>| hit.as_ref().map_or(nothing, |hit| in_f32(value(hit, &light)));
+                    |hit: &Option<Hit>| hit.as_ref().map_or(*nothing, |hit| in_f32(value(hit, &light)));
                 channels.insert(format!("{eye}.{name}"), image.hits.iter().map(sample).collect());
             }
         }
@@ -431,7 +420,8 @@ mod tests {
 
     #[test]
     fn channels_are_found_by_their_whole_name_in_any_layer() {
-        for channel in Channel::ALL {
+        for (place, &Definition { channel, .. }) in CHANNELS.iter().enumerate() {
+            assert_eq!(channel as usize, place);
             assert_eq!(Channel::from_name(channel.name()), Some(channel));
             assert_eq!(Channel::from_name(&format!("left.{}", channel.name())), Some(channel));
         }

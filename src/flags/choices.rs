@@ -109,7 +109,8 @@ impl Serialize for Size {
 }
 
 /// The gaze of both eyes, in parallel.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum GazeChoice {
     /// At the apparent middle of all that moves.
     #[default]
@@ -122,6 +123,7 @@ pub enum GazeChoice {
     /// right.
     Passage,
     /// Fixed: azimuth and elevation, degrees.
+    #[serde(untagged)]
     Fixed([f64; 2]),
 }
 
@@ -147,7 +149,8 @@ pub enum ProjectionChoice {
 }
 
 /// The distance at which something is in the same place in both eyes' pictures, which an image shift sets.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum ZeroParallax {
     /// The distance at which two eyes place the tracked point, or the hub that it turns about.
     #[default]
@@ -155,6 +158,7 @@ pub enum ZeroParallax {
     /// Without end: the pictures are not shifted.
     Infinity,
     /// A given distance, perpendicular to the picture plane.
+    #[serde(untagged)]
     Distance(f64),
 }
 
@@ -221,16 +225,6 @@ impl FromStr for ZeroParallax {
     }
 }
 
-impl Serialize for ZeroParallax {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Point => serializer.serialize_str("point"),
-            Self::Infinity => serializer.serialize_str("infinity"),
-            Self::Distance(distance) => serializer.serialize_f64(*distance),
-        }
-    }
-}
-
 /// Azimuths that a gaze can have, degrees: twice round.
 pub const AZIMUTH: RangeInclusive<f64> = -720.0..=720.0;
 /// Elevations that it can have, degrees.
@@ -278,17 +272,5 @@ impl FromStr for GazeChoice {
         let elevation = within(ELEVATION)(elevation)
             .map_err(|reason| format!("elevation: {reason} degrees, so that the horizon is level"))?;
         Ok(Self::Fixed([azimuth, elevation]))
-    }
-}
-
-impl Serialize for GazeChoice {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Whole => serializer.serialize_str("whole"),
-            Self::Point => serializer.serialize_str("point"),
-            Self::Ahead => serializer.serialize_str("ahead"),
-            Self::Passage => serializer.serialize_str("passage"),
-            Self::Fixed(degrees) => degrees.serialize(serializer),
-        }
     }
 }

@@ -75,41 +75,45 @@ pub fn field_of_view(text: &str) -> Result<f64, String> {
 /// Narrowest and widest screen, cm.
 pub const SCREEN_CM: RangeInclusive<f64> = 1.0..=100_000.0;
 
-/// Defines numbers that may be left open, each with its parser.
-macro_rules! numbers_or_auto {
-    ($($(#[$doc:meta])* $name:ident: $parser:expr;)*) => {$(
+/// Defines values in whose place a word may stand, each with its parser.
+macro_rules! values_or_word {
+    ($($(#[$doc:meta])* $name:ident($value:ty): $parser:expr, or $word:literal;)*) => {$(
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, Default)]
-        pub struct $name(pub Option<f64>);
+        pub struct $name(pub Option<$value>);
 
         impl FromStr for $name {
             type Err = String;
 
             fn from_str(text: &str) -> Result<Self, String> {
-                if text == "auto" { Ok(Self(None)) } else { $parser(text).map(|number| Self(Some(number))) }
+                if text == $word { Ok(Self(None)) } else { $parser(text).map(|value| Self(Some(value))) }
             }
         }
 
         impl Serialize for $name {
             fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 match self.0 {
-                    Some(number) => serializer.serialize_f64(number),
-                    None => serializer.serialize_str("auto"),
+                    Some(value) => value.serialize(serializer),
+                    None => serializer.serialize_str($word),
                 }
             }
         }
     )*};
 }
 
-numbers_or_auto! {
+values_or_word! {
     /// A horizontal field of view, degrees, or `auto`.
-    FieldOfView: field_of_view;
+    FieldOfView(f64): field_of_view, or "auto";
     /// The width of a screen, cm, or `auto`.
-    ScreenWidth: within(SCREEN_CM);
+    ScreenWidth(f64): within(SCREEN_CM), or "auto";
     /// A part of a whole, from 0 to 1, or `auto`.
-    Share: within(0.0..=1.0);
+    Share(f64): within(0.0..=1.0), or "auto";
     /// An exposure, factors of 2, or `auto`.
-    Exposure: within(EXPOSURE_EV);
+    Exposure(f64): within(EXPOSURE_EV), or "auto";
+    /// Exponent n of the received intensity D^n: a number, a word for what it means, or `off`.
+    IntensityExponent(f64): exponent, or "off";
+    /// A first and a last T, or `auto`.
+    TimeRange([f64; 2]): time_range, or "auto";
 }
 
 /// Coordinates of a place: no body of a scene reaches further.
@@ -153,21 +157,10 @@ pub fn column_exponent(text: &str) -> Result<f64, String> {
     named_exponent(text).map_or_else(|| finite_number(text).map_err(explained), Ok)
 }
 
-/// Exponent n of the received intensity D^n: a number, a word for what it means, or `off`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct IntensityExponent(pub Option<f64>);
-
-impl FromStr for IntensityExponent {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "off" {
-            return Ok(Self(None));
-        }
-        let exponent = named_exponent(text).map_or_else(|| within(EXPONENT)(text), Ok);
-        let explained = |reason| format!("{reason}; or write surface, photons, paper or off");
-        exponent.map(|exponent| Self(Some(exponent))).map_err(explained)
-    }
+/// Parses the exponent of a picture's intensities: a name, or a number within [`EXPONENT`].
+fn exponent(text: &str) -> Result<f64, String> {
+    let explained = |reason| format!("{reason}; or write surface, photons, paper or off");
+    named_exponent(text).map_or_else(|| within(EXPONENT)(text).map_err(explained), Ok)
 }
 
 impl fmt::Display for IntensityExponent {
@@ -175,15 +168,6 @@ impl fmt::Display for IntensityExponent {
         match self.0 {
             Some(value) => write!(f, "{value}"),
             None => f.write_str("off"),
-        }
-    }
-}
-
-impl Serialize for IntensityExponent {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            Some(value) => serializer.serialize_f64(value),
-            None => serializer.serialize_str("off"),
         }
     }
 }
@@ -204,10 +188,6 @@ pub fn temperature(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A first and a last T, or `auto`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct TimeRange(pub Option<[f64; 2]>);
-
 /// Largest magnitude of a T: beyond it a step would round away.
 pub const MAX_TIME: f64 = 1e12;
 
@@ -216,32 +196,13 @@ pub fn time(text: &str) -> Result<f64, String> {
     within(-MAX_TIME..=MAX_TIME)(text)
 }
 
-impl FromStr for TimeRange {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "auto" {
-            return Ok(Self(None));
-        }
-        let Some((from, to)) = text.split_once(',') else {
-            return Err("write `auto`, or the first and the last T like -2,5".to_owned());
-        };
-        let [from, to] = [time(from)?, time(to)?];
-        if from <= to {
-            Ok(Self(Some([from, to])))
-        } else {
-            Err("the first T must not be above the last".to_owned())
-        }
-    }
-}
-
-impl Serialize for TimeRange {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            Some(range) => range.serialize(serializer),
-            None => serializer.serialize_str("auto"),
-        }
-    }
+/// Parses a first and a last T.
+fn time_range(text: &str) -> Result<[f64; 2], String> {
+    let Some((from, to)) = text.split_once(',') else {
+        return Err("write `auto`, or the first and the last T like -2,5".to_owned());
+    };
+    let [from, to] = [time(from)?, time(to)?];
+    if from <= to { Ok([from, to]) } else { Err("the first T must not be above the last".to_owned()) }
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ fn main() {
     let betas: Vec<f64> = (0..ROWS).map(|row| row as f64 / ROWS as f64).collect();
     let speed = Speed::from_beta(0.9).expect("0.9 is a speed");
     println!("disparity {:.3}", best(disparities(Speeds::Same(speed), &times)));
-    println!("speeds {:.3}", best(disparities(Speeds::Betas(&betas), &times)));
+    println!("speeds {:.3}", best(disparities(Speeds::Each(&betas), &times)));
     println!("columns {:.3}", best(columns(WantedColumns::Disparity, &times)));
     println!("sightings {:.3}", best(columns(WantedColumns::All, &times)));
 }

@@ -148,7 +148,7 @@ pub fn sightings_of_points<F: Real>(
 ///
 /// // At rest the disparity is that of parallax; a second later a fast rider is past.
 /// let observations = ObservationColumns {
-///     speeds: Speeds::Betas(&[0.0, 0.9]),
+///     speeds: Speeds::Each(&[0.0, 0.9]),
 ///     x0: Column::Same(0.0),
 ///     y: Column::Same(3.0),
 ///     z: Column::Same(0.0),
@@ -190,7 +190,7 @@ impl<F: Real> ObservationColumns<'_, F> {
         check_lengths(dphi, &lengths.chain([("dtheta", dtheta)]).collect::<Vec<_>>())?;
         let speed = match self.speeds {
             Speeds::Same(speed) => speed,
-            Speeds::Betas(_) => Speed::REST,
+            Speeds::Each(_) => Speed::REST,
         };
         let common = |column: Column<'_, F>| match column {
             Column::Same(value) => value.into(),
@@ -208,7 +208,7 @@ impl<F: Real> ObservationColumns<'_, F> {
             Ok(speed) => Some((index, BatchError::Single(speed.gamma()))),
             Err(error) => Some((index, BatchError::Speed { index, error })),
         };
-        let betas = self.speeds.betas().unwrap_or_default();
+        let betas = self.speeds.each().unwrap_or_default();
         let outside = |rows: &Self| first_outside(&rows.each().collect::<Vec<_>>());
         match betas.iter().enumerate().find_map(no_speed) {
             Some((row, error)) => outside(&self.rows(0..row)).and(Err(error)),

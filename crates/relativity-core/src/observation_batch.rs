@@ -11,21 +11,15 @@ use crate::speed::{Coefficients, Speed};
 
 /// A number of each row of a batch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Column<'a, F> {
+pub enum Column<'a, F, S = F> {
     /// A number that all rows share.
-    Same(F),
+    Same(S),
     /// A number for each row.
     Each(&'a [F]),
 }
 
-/// The speed of each row of a batch.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Speeds<'a, F> {
-    /// A speed that all rows share.
-    Same(Speed),
-    /// A beta in [0, 1) for each row.
-    Betas(&'a [F]),
-}
+/// The speed of each row of a batch: one that all rows share, or a beta in [0, 1) for each.
+pub type Speeds<'a, F> = Column<'a, F, Speed>;
 
 /// Observations of points by two apertures.
 #[derive(Debug, Clone, Copy)]
@@ -60,7 +54,7 @@ pub struct DisparityColumns<'a, F> {
     pub dtheta: &'a mut [F],
 }
 
-impl<'a, F: Copy> Column<'a, F> {
+impl<F: Copy> Column<'_, F> {
     /// The number of a row.
     #[inline]
     #[must_use]
@@ -70,7 +64,9 @@ impl<'a, F: Copy> Column<'a, F> {
             Self::Each(values) => values[row],
         }
     }
+}
 
+impl<'a, F: Copy, S: Copy> Column<'a, F, S> {
     /// The column of these rows alone.
     #[must_use]
     pub fn rows(self, rows: Range<usize>) -> Self {
@@ -90,31 +86,24 @@ impl<'a, F: Copy> Column<'a, F> {
     }
 }
 
-impl<'a, F: Copy> Speeds<'a, F> {
-    /// The betas of which there is one for each row.
-    pub(crate) const fn betas(self) -> Option<&'a [F]> {
-        match self {
-            Self::Same(_) => None,
-            Self::Betas(betas) => Some(betas),
-        }
-    }
-}
-
 impl<'a, F: Copy> ObservationColumns<'a, F> {
     /// The observations of these rows alone.
     pub(crate) fn rows(&self, rows: Range<usize>) -> Self {
         let part = |column: Column<'a, F>| column.rows(rows.clone());
-        let speeds = match self.speeds {
-            Speeds::Same(speed) => Speeds::Same(speed),
-            Speeds::Betas(betas) => Speeds::Betas(&betas[rows.clone()]),
-        };
-        let Self { x0, y, z, times, apertures, .. } = *self;
-        Self { speeds, x0: part(x0), y: part(y), z: part(z), times: part(times), apertures }
+        let Self { speeds, x0, y, z, times, apertures } = *self;
+        Self {
+            speeds: speeds.rows(rows.clone()),
+            x0: part(x0),
+            y: part(y),
+            z: part(z),
+            times: part(times),
+            apertures,
+        }
     }
 
     /// The columns that have a number for each row, with their names.
     pub(crate) fn each(&self) -> impl Iterator<Item = (&'static str, &'a [F])> {
-        let betas = self.speeds.betas();
+        let betas = self.speeds.each();
         let columns = [("x0", self.x0), ("y", self.y), ("z", self.z), ("T", self.times)];
         let each = columns.into_iter().filter_map(|(name, column)| Some((name, column.each()?)));
         betas.map(|betas| ("beta", betas)).into_iter().chain(each)
@@ -133,16 +122,16 @@ impl<F: Elementary + Into<f64>> ObservationColumns<'_, F> {
         };
         match (speeds, x0, y, z, times) {
             // What all rows share is worked out once.
-            (Speeds::Same(speed), Column::Same(_), Column::Same(_), Column::Same(_), Column::Each(times)) => {
+            (Column::Same(speed), Column::Same(_), Column::Same(_), Column::Same(_), Column::Each(times)) => {
                 let (coefficients, (point, _)) = (speed.coefficients(), point(0));
                 let rows = times.iter().map(|&time| (&coefficients, (point, true), time));
                 fill(apertures, rows, limits, out)
             }
-            (Speeds::Same(speed), ..) => {
+            (Column::Same(speed), ..) => {
                 let coefficients = speed.coefficients();
                 fill(apertures, (0..).map(|row| (&coefficients, point(row), times.at(row))), limits, out)
             }
-            (Speeds::Betas(betas), ..) => {
+            (Column::Each(betas), ..) => {
                 let rows = betas.iter().enumerate().map(|(row, &beta)| {
                     let coefficients = Coefficients::<F>::of_beta(beta.into());
                     let (point, is_inside) = point(row);

@@ -60,7 +60,7 @@ fn f64_disparities_of_observations_equal_the_scalar_function() {
         (0..ROWS).map(|row| [0.0, -0.0, 1e-14, 0.755, 1.0 - f64::EPSILON][row % 5]).collect();
     let apertures = Aperture::pair(0.1);
     let [same, each] = [[0.5, 3.0, 2.0].map(Column::Same), [&x0, &y, &z].map(|all| Column::Each(all))];
-    let speeds = speeds().map(Speeds::Same).into_iter().chain([Speeds::Betas(&betas)]);
+    let speeds = speeds().map(Speeds::Same).into_iter().chain([Speeds::Each(&betas)]);
     for (speeds, places) in speeds.flat_map(|speeds| [(speeds, same), (speeds, each)]) {
         let ([x0, y, z], times) = (places, Column::Each(&times));
         let observations = ObservationColumns { speeds, x0, y, z, times, apertures };
@@ -71,7 +71,7 @@ fn f64_disparities_of_observations_equal_the_scalar_function() {
             for i in 0..ROWS {
                 let speed = match speeds {
                     Speeds::Same(speed) => speed,
-                    Speeds::Betas(betas) => Speed::from_beta(betas[i]).expect("a speed"),
+                    Speeds::Each(betas) => Speed::from_beta(betas[i]).expect("a speed"),
                 };
                 let (point, time) = (SourcePoint { x0: x0.at(i), y: y.at(i), z: z.at(i) }, times.at(i));
                 let both =
@@ -87,7 +87,7 @@ fn f64_disparities_of_observations_equal_the_scalar_function() {
 fn the_first_row_outside_the_domain_is_named() {
     let wrong = |betas: [f64; 3], y: [f64; 3]| {
         let observations = ObservationColumns {
-            speeds: Speeds::Betas(&betas),
+            speeds: Speeds::Each(&betas),
             x0: Column::Same(0.0),
             y: Column::Each(&y),
             z: Column::Same(1.0),
