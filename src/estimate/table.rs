@@ -10,40 +10,33 @@ use crate::number_text;
 /// Difference of the estimates of both curves, in standard errors, beyond which it is remarked on.
 const AGREEING: f64 = 3.0;
 
+/// The meaning of the parameters where the eyes rode.
+const RIDING: &str = "beta is the observer's own speed, x0 how far the point is behind when the clock shows 0, \
+    contracted";
+
 impl fmt::Display for FitReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "model      {}", self.model)?;
-        if let Some(treatment) = &self.data {
-            writeln!(f, "data       {treatment}")?;
-        }
-        if self.riding {
-            let x0 = "x0 how far the point is behind when the clock shows 0, contracted";
-            writeln!(f, "riding     beta is the observer's own speed, {x0}")?;
-        }
-        if let Some(WheelPlace { wheel_radius, rho, angle }) = self.wheel {
+        let wheel = |WheelPlace { wheel_radius, rho, angle }| {
             let known = format!("radius {wheel_radius}, rho {rho}, angle {angle}");
-            writeln!(f, "wheel      {known}, taken as known: y, z and x0 are the hub's")?;
-        }
-        if let Some(loss) = &self.loss {
-            writeln!(f, "loss       {loss}")?;
-        }
-        match &self.bootstrap {
-            Some(BootstrapSummary { replicates, failed, seed }) => {
-                writeln!(f, "bootstrap  {replicates} replicates, seed {seed}, {failed} failed")?;
-            }
-            None => writeln!(f, "bootstrap  none")?,
-        }
-        if let Some(remark) = &self.sigmas {
-            writeln!(f, "sigmas     {remark}")?;
-        }
-        if let Some(warning) = &self.warning {
-            writeln!(f, "warning    {warning}")?;
-        }
-        if let Some(cause) = &self.cause {
-            writeln!(f, "cause      {cause}")?;
-        }
-        if let Some(remark) = outliers::remark(&self.outliers) {
-            writeln!(f, "outliers   {remark}")?;
+            format!("{known}, taken as known: y, z and x0 are the hub's")
+        };
+        let bootstrap = self.bootstrap.as_ref().map(|BootstrapSummary { replicates, failed, seed }| {
+            format!("{replicates} replicates, seed {seed}, {failed} failed")
+        });
+        let head = [
+            ("model", Some(self.model.to_owned())),
+            ("data", self.data.clone()),
+            ("riding", self.riding.then(|| RIDING.to_owned())),
+            ("wheel", self.wheel.map(wheel)),
+            ("loss", self.loss.as_ref().map(ToString::to_string)),
+            ("bootstrap", Some(bootstrap.unwrap_or_else(|| "none".to_owned()))),
+            ("sigmas", self.sigmas.clone()),
+            ("warning", self.warning.clone()),
+            ("cause", self.cause.clone()),
+            ("outliers", outliers::remark(&self.outliers)),
+        ];
+        for (name, text) in head.into_iter().filter_map(|(name, text)| Some((name, text?))) {
+            writeln!(f, "{name:11}{text}")?;
         }
         write!(f, "{}", self.fit)?;
         for (name, attempt) in [("dphi", &self.fits.dphi), ("dtheta", &self.fits.dtheta)] {

@@ -68,11 +68,8 @@ pub enum Half {
 }
 
 /// Shows a `half` of the first of the fitted curves in all the room there is; nothing where there are no
-/// samples.
+/// samples, or no residuals.
 pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, commands: &mut Commands) {
-    if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(|data| data.is_empty())) {
-        return;
-    }
     let [uses_azimuth, _] = state.document.settings.fit.curves.used();
     let quantity = if uses_azimuth { Quantity::DeltaPhi } else { Quantity::DeltaTheta };
     let drawing = CurveDrawing::new(ui.visuals(), state, fitting, quantity);
@@ -80,27 +77,13 @@ pub fn show_first(ui: &mut Ui, state: &State, fitting: &Fitting, half: Half, com
     // end.
     let number = TextStyle::Body.resolve(ui.style()).size;
     let size = (ui.available_size() - number * vec2(HALF_A_NUMBER, 0.5)).max(vec2(20.0, 20.0));
-    let (name, unit) = (quantity.row().symbol, column_label(quantity, &state.measures()));
-    match half {
-        Half::Readings => {
-            let readings = FitPlot {
-                name: format!("Fit of {name} against T"),
-                size,
-                with_times: true,
-                heading: Some(&unit),
-            };
-            readings.show(ui, state, &drawing, Half::Readings, commands);
-        }
-        Half::Residuals if drawing.fitted.is_some() => {
-            let residuals = FitPlot {
-                name: format!("Residuals of {name} against T"),
-                size,
-                with_times: true,
-                heading: Some(RESIDUALS),
-            };
-            residuals.show(ui, state, &drawing, Half::Residuals, commands);
-        }
-        Half::Residuals => {}
+    let unit = column_label(quantity, &state.measures());
+    let heading = match half {
+        Half::Readings => &unit,
+        Half::Residuals => RESIDUALS,
+    };
+    if drawing.has(half) {
+        FitPlot { half, size, with_times: true, heading: Some(heading) }.show(ui, state, &drawing, commands);
     }
 }
 
@@ -116,7 +99,7 @@ fn pair(
     ui.spacing_mut().item_spacing.y = 2.0;
     let drawing = CurveDrawing::new(ui.visuals(), state, fitting, quantity);
     let height = (size.y - TITLE_HEIGHT - 4.0).max(20.0);
-    let has_residuals = drawing.fitted.is_some();
+    let has_residuals = drawing.has(Half::Residuals);
     let residuals_height = if has_residuals { RESIDUALS_SHARE * height } else { 0.0 };
     let curve_height = height - residuals_height;
     let what = column_label(quantity, &state.measures());
@@ -129,28 +112,20 @@ fn pair(
             ui.label(RichText::new("samples, fit, 95 % band").weak().small());
         }
     });
-    let name = quantity.row().symbol;
-    let curve = FitPlot {
-        name: format!("Fit of {name} against T"),
-        size: vec2(size.x, curve_height),
-        with_times: !has_residuals,
-        heading: None,
-    };
-    curve.show(ui, state, &drawing, Half::Readings, commands);
+    let size_of = |height: f32| vec2(size.x, height);
+    let (half, with_times) = (Half::Readings, !has_residuals);
+    let curve = FitPlot { half, size: size_of(curve_height), with_times, heading: None };
+    curve.show(ui, state, &drawing, commands);
     if has_residuals {
-        let residuals = FitPlot {
-            name: format!("Residuals of {name} against T"),
-            size: vec2(size.x, residuals_height),
-            with_times: true,
-            heading: Some(RESIDUALS),
-        };
-        residuals.show(ui, state, &drawing, Half::Residuals, commands);
+        let (half, heading) = (Half::Residuals, Some(RESIDUALS));
+        let residuals = FitPlot { half, size: size_of(residuals_height), with_times: true, heading };
+        residuals.show(ui, state, &drawing, commands);
     }
 }
 
 /// A plot of the readings or of the residuals.
 struct FitPlot<'h> {
-    name: String,
+    half: Half,
     size: Vec2,
     /// Whether T is written along it.
     with_times: bool,
@@ -159,17 +134,16 @@ struct FitPlot<'h> {
 }
 
 impl FitPlot<'_> {
-    fn show(
-        &self,
-        ui: &mut Ui,
-        state: &State,
-        drawing: &CurveDrawing<'_>,
-        half: Half,
-        commands: &mut Commands,
-    ) {
+    fn show(&self, ui: &mut Ui, state: &State, drawing: &CurveDrawing<'_>, commands: &mut Commands) {
+        let half = self.half;
+        let symbol = drawing.quantity.row().symbol;
+        let name = match half {
+            Half::Readings => format!("Fit of {symbol} against T"),
+            Half::Residuals => format!("Residuals of {symbol} against T"),
+        };
         let now = VLine::new("T", state.document.time).color(theme::now_colour(ui.visuals())).width(1.0);
         let unit = state.measures().time;
-        let plot: Plot<'_> = plot_over_time(ui, self.name.as_str(), unit, self.size)
+        let plot: Plot<'_> = plot_over_time(ui, name.as_str(), unit, self.size)
             .show_axes([self.with_times, true])
             .y_axis_min_width(Y_AXIS_WIDTH);
         let ruler = Ruler::of_angles(self.size.y);
@@ -190,7 +164,7 @@ impl FitPlot<'_> {
             labels.keep_free(ui.painter().text(place, Align2::LEFT_TOP, text, small, weak));
         }
         annotate(ui, &response, (state.clock(), unit), None, &mut labels);
-        let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
+        let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name);
         response.response.widget_info(info);
         let clicked = response.response.interact_pointer_pos().filter(|_| response.response.clicked());
         let sample = clicked.and_then(|place| drawing.sample_at(half, &response.transform, place));
@@ -208,6 +182,7 @@ const ON_A_READING: f32 = 8.0;
 /// The drawing of one curve.
 struct CurveDrawing<'a> {
     outcome: Option<&'a FitOutcome>,
+    quantity: Quantity,
     /// 0 for Delta-phi, 1 for Delta-theta.
     curve: usize,
     range: [f64; 2],
@@ -228,6 +203,7 @@ impl<'a> CurveDrawing<'a> {
         let colour = theme::point_colour(state.document.points.selected().number, visuals);
         Self {
             outcome,
+            quantity,
             curve,
             range: outcome.map_or([0.0, 1.0], |outcome| outcome.range),
             data: outcome.map_or(&[], |outcome: &FitOutcome| &outcome.data[curve]),
@@ -236,6 +212,16 @@ impl<'a> CurveDrawing<'a> {
             fit_colour: colour.gamma_multiply(faintness),
             band_colour: colour.gamma_multiply(0.35 * faintness),
             outlier_colour: visuals.error_fg_color.gamma_multiply(faintness),
+        }
+    }
+
+    /// Whether there is anything to show in a half.
+    fn has(&self, half: Half) -> bool {
+        match half {
+            Half::Readings => {
+                self.outcome.is_some_and(|outcome| !outcome.data.iter().all(|data| data.is_empty()))
+            }
+            Half::Residuals => self.fitted.is_some(),
         }
     }
 
