@@ -7,7 +7,7 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 use gamow_platform::files;
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, FileCommand, SettingsCommand, ShowCommand, Switch, WindowCommand};
 use crate::app::state::State;
@@ -87,9 +87,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
 fn help(ui: &mut Ui, commands: &mut Commands) {
     let open = Command::Window(WindowCommand::Toggle(Overlay::Help));
     let tip = "Explains the window, its terms, settings, keys and mouse.";
-    if ui.button("Help").on_hover_text(with_keys(tip, std::slice::from_ref(&open))).clicked() {
-        commands.push(open);
-    }
+    ui.button("Help").on_hover_text(with_keys(tip, std::slice::from_ref(&open))).on_click(commands, open);
 }
 
 /// The ways to the start page and back, and where there is room to the presets.
@@ -104,9 +102,7 @@ fn pages(ui: &mut Ui, state: &State, has_room: bool, commands: &mut Commands) {
         let button = ui.add(Button::new(name).selected(is_open));
         let open = Command::Window(WindowCommand::Toggle(page));
         let tip = with_keys(tip, std::slice::from_ref(&open));
-        if button.on_hover_text(tip).clicked() {
-            commands.push(open);
-        }
+        button.on_hover_text(tip).on_click(commands, open);
     }
 }
 
@@ -152,9 +148,7 @@ fn choose_scene(ui: &mut Ui, state: &State, least: f32, commands: &mut Commands)
             ui.separator();
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.document.scene.name;
-                if ui.selectable_label(shown, scene.name).clicked() {
-                    commands.push(ShowCommand::Scene(preset).into());
-                }
+                ui.selectable_label(shown, scene.name).on_click(commands, ShowCommand::Scene(preset));
             }
         })
         .response
@@ -176,9 +170,7 @@ fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
     let tip = "Opens a scene, a model, a state, data, or a picture with the state that it records.";
     let tip = with_keys(tip, &[Command::File(FileCommand::Choose(Purpose::Open))]);
-    if ui.button("Open…").on_hover_text(tip).clicked() {
-        commands.push(FileCommand::Choose(Purpose::Open).into());
-    }
+    ui.button("Open…").on_hover_text(tip).on_click(commands, FileCommand::Choose(Purpose::Open));
 }
 
 /// Shows the choice of units for lengths and times in the whole window.
@@ -224,9 +216,7 @@ fn way_back(ui: &mut Ui, state: &State, commands: &mut Commands) {
     for (icon, name, tip, is_there, command) in buttons {
         let button = ui.add_enabled_ui(is_there, |ui| icons::button(ui, icon, name, vec2(26.0, 22.0)));
         let tip = with_keys(tip, std::slice::from_ref(&command));
-        if button.inner.on_hover_text(&tip).on_disabled_hover_text(&tip).clicked() {
-            commands.push(command);
-        }
+        button.inner.on_hover_text(&tip).on_disabled_hover_text(&tip).on_click(commands, command);
     }
     ui.spacing_mut().item_spacing.x = apart;
 }
@@ -261,9 +251,9 @@ fn more_on_a_phone(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// The way into the stereoscope.
 fn stereoscope(ui: &mut Ui, commands: &mut Commands) {
-    if ui.button("Stereoscope").on_hover_text(STEREOSCOPE_TIP).clicked() {
-        commands.push(WindowCommand::ToggleStereoscope.into());
-    }
+    ui.button("Stereoscope")
+        .on_hover_text(STEREOSCOPE_TIP)
+        .on_click(commands, WindowCommand::ToggleStereoscope);
 }
 
 fn looks(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) {

@@ -5,7 +5,7 @@ use std::path::Path;
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Align2, Context, Key, RichText, TextEdit, Ui, Window};
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::WindowCommand;
 use crate::app::commands::file_dialog::Chooser;
 use crate::app::state::State;
@@ -156,9 +156,7 @@ fn buttons(ui: &mut Ui, purpose: Purpose, chooser: &mut Chooser, is_entered: boo
                 chooser.browse(ui.ctx());
             }
         });
-        if ui.button("Cancel").clicked() {
-            commands.push(WindowCommand::Close.into());
-        }
+        ui.button("Cancel").on_click(commands, WindowCommand::Close);
     });
 }
 
@@ -175,8 +173,6 @@ fn replace(ui: &mut Ui, chooser: &mut Chooser, commands: &mut Commands) {
         if replace.clicked() {
             commands.extend(chooser.confirmed(Some(&path)));
         }
-        if ui.button("Cancel").clicked() {
-            commands.push(WindowCommand::Close.into());
-        }
+        ui.button("Cancel").on_click(commands, WindowCommand::Close);
     });
 }

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align, Rect, Ui};
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::SettingsCommand;
 use crate::app::state::State;
 use crate::app::widgets::strip_button;
@@ -26,7 +26,5 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
          Now: {}.",
         comfort.words()
     );
-    if strip_button(ui, strip, Align::Max, &text).on_hover_text(tip).clicked() {
-        commands.push(SettingsCommand::Narrow.into());
-    }
+    strip_button(ui, strip, Align::Max, &text).on_hover_text(tip).on_click(commands, SettingsCommand::Narrow);
 }

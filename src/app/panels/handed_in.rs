@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use eframe::egui::{Align2, Button, Context, RichText, ScrollArea, TextEdit, TextStyle, Ui, Window};
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::{FileCommand, WindowCommand};
 use crate::app::state::State;
 use crate::app::state::class::ClassCommand;
@@ -109,9 +109,8 @@ fn own(ui: &mut Ui, state: &State, commands: &mut Commands) {
     });
     ui.add_space(theme::GAP);
     ui.horizontal(|ui| {
-        if ui.button(RichText::new(page_link::copying()).strong()).clicked() {
-            commands.push(FileCommand::Copy(Copied::Answers).into());
-        }
+        ui.button(RichText::new(page_link::copying()).strong())
+            .on_click(commands, FileCommand::Copy(Copied::Answers));
         let mut shown = link.as_str();
         let field = TextEdit::singleline(&mut shown).font(TextStyle::Monospace).desired_width(f32::INFINITY);
         ui.add(field).accessible_name("Link");
@@ -152,13 +151,12 @@ fn class(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.horizontal(|ui| {
         let save = RichText::new("Save the class’s page…").strong();
         ui.add_enabled_ui(!lessons.is_empty(), |ui| {
-            if ui.button(save).on_hover_text(Product::ClassPage.tip()).clicked() {
-                commands.push(FileCommand::Choose(Purpose::Save(Product::ClassPage)).into());
-            }
+            ui.button(save)
+                .on_hover_text(Product::ClassPage.tip())
+                .on_click(commands, FileCommand::Choose(Purpose::Save(Product::ClassPage)));
         });
-        if ui.add_enabled(!answers.text.is_empty(), Button::new("Clear")).clicked() {
-            commands.push(ClassCommand::Text(String::new()).into());
-        }
+        ui.add_enabled(!answers.text.is_empty(), Button::new("Clear"))
+            .on_click(commands, ClassCommand::Text(String::new()));
     });
 }
 

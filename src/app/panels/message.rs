@@ -6,7 +6,7 @@ use eframe::egui::{
     Ui, pos2, vec2,
 };
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, WindowCommand};
 use crate::app::state::State;
@@ -67,9 +67,9 @@ fn text(ui: &mut Ui, notice: &Notice, height: f32) {
 
 fn buttons(ui: &mut Ui, notice: &Notice, commands: &mut Commands) {
     let close = icons::button(ui, Icon::Remove, "Close message", vec2(22.0, 22.0));
-    if close.on_hover_text(with_keys("Close.", &[Command::Window(WindowCommand::Close)])).clicked() {
-        commands.push(WindowCommand::CloseNotice.into());
-    }
+    close
+        .on_hover_text(with_keys("Close.", &[Command::Window(WindowCommand::Close)]))
+        .on_click(commands, WindowCommand::CloseNotice);
     if ui.button("Copy").on_hover_text("Copies the message").accessible_name("Copy message").clicked() {
         ui.ctx().copy_text(notice.text.clone());
     }

@@ -27,10 +27,26 @@ pub mod stopwatch;
 pub mod timeline;
 pub mod views;
 
+use eframe::egui::Response;
+
 use super::commands::Command;
 
 /// The commands that a panel asks for while it is shown.
 pub type Commands = Vec<Command>;
+
+/// A widget that asks for a command when it is clicked.
+pub trait OnClick {
+    /// Asks for `command` if the widget was clicked.
+    fn on_click(&self, commands: &mut Commands, command: impl Into<Command>);
+}
+
+impl OnClick for Response {
+    fn on_click(&self, commands: &mut Commands, command: impl Into<Command>) {
+        if self.clicked() {
+            commands.push(command.into());
+        }
+    }
+}
 
 /// Written between two notes on a picture.
 const BETWEEN_NOTES: &str = "  ·  ";

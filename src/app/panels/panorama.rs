@@ -4,7 +4,7 @@ use eframe::egui::{Align, Rect, Ui};
 
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, SettingsCommand, Switch};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::widgets::strip_button;
 use crate::app::widgets::theme;
@@ -41,10 +41,7 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
         )
     };
     let after_name = strip.with_min_x(strip.min.x + theme::text_scale(ui.style()) * AFTER_NAME);
-    if strip_button(ui, after_name, Align::Min, name)
+    strip_button(ui, after_name, Align::Min, name)
         .on_hover_text(with_keys(tip, &[Command::Settings(SettingsCommand::Switch(Switch::Panorama))]))
-        .clicked()
-    {
-        commands.push(SettingsCommand::Switch(Switch::Panorama).into());
-    }
+        .on_click(commands, SettingsCommand::Switch(Switch::Panorama));
 }

@@ -6,7 +6,7 @@ use eframe::egui::{
     UiBuilder, vec2,
 };
 
-use super::{BETWEEN_NOTES, Commands};
+use super::{BETWEEN_NOTES, Commands, OnClick as _};
 use crate::app::commands::actions::keys_of;
 use crate::app::commands::choice_keys;
 use crate::app::commands::{Command, FileCommand, SettingsCommand, Switch};
@@ -178,9 +178,7 @@ fn line(ui: &mut Ui, rect: Rect, notes: &str, keys: Vec<ShownKey>, commands: &mu
                     continue;
                 };
                 let key = ui.add(written(&text).sense(Sense::click()));
-                if key.on_hover_cursor(CursorIcon::PointingHand).clicked() {
-                    commands.push(command);
-                }
+                key.on_hover_cursor(CursorIcon::PointingHand).on_click(commands, command);
             }
             ui.add_space(size);
             let room = ui.available_width();

@@ -3,7 +3,7 @@
 use eframe::egui::{Align2, Context, Spinner, Window};
 use gamow_platform::files;
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::FileCommand;
 use crate::app::state::files::reader::Reader;
 
@@ -21,9 +21,7 @@ pub fn show(ctx: &Context, reader: &Reader, commands: &mut Commands) {
             ui.horizontal(|ui| {
                 ui.add(Spinner::new());
                 ui.label(format!("Reading {}", files::shown(path)));
-                if ui.button("Stop").clicked() {
-                    commands.push(FileCommand::StopReading.into());
-                }
+                ui.button("Stop").on_click(commands, FileCommand::StopReading);
             });
         });
 }

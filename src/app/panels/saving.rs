@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align2, Context, Label, ProgressBar, Window};
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::FileCommand;
 use crate::app::commands::saving::{Progress, Saver};
 use crate::number_text;
@@ -33,9 +33,7 @@ pub fn show(ctx: &Context, saver: &Saver, commands: &mut Commands) {
                 let bar =
                     ProgressBar::new(written.drawn as f32 / frames.max(1) as f32).desired_width(WIDTH - 70.0);
                 ui.add(bar.text(format!("{} of {frames}", written.drawn)));
-                if ui.button("Stop").clicked() {
-                    commands.push(FileCommand::StopSaving.into());
-                }
+                ui.button("Stop").on_click(commands, FileCommand::StopSaving);
             });
         });
 }

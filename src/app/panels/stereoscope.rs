@@ -3,7 +3,7 @@
 use eframe::egui::{Align2, Area, Context, Frame, Id, Order, Slider, Ui, vec2};
 
 use crate::app::commands::{SettingsCommand, WindowCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::settings::{LENS_MM, PICTURE_MM, ScreenSettings, about};
 
 /// Width of the menu, points.
@@ -112,9 +112,7 @@ fn buttons(ui: &mut Ui, known: Known, commands: &mut Commands) -> MenuChoice {
         if known.takes_card && ui.button("Card…").clicked() {
             choice = MenuChoice::Card;
         }
-        if ui.button("Leave").clicked() {
-            commands.push(WindowCommand::ToggleStereoscope.into());
-        }
+        ui.button("Leave").on_click(commands, WindowCommand::ToggleStereoscope);
     });
     choice
 }

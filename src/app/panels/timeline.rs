@@ -9,7 +9,7 @@ use eframe::egui::{
     Sense, Slider, SliderClamping, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2,
 };
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, PlaybackCommand, SettingsCommand};
 use crate::app::state::State;
@@ -123,9 +123,7 @@ fn transport(ui: &mut Ui, state: &State, commands: &mut Commands) {
             continue;
         }
         let response = icons::button(ui, icon, name, egui::vec2(width, 26.0));
-        if response.on_hover_text(with_keys(name, std::slice::from_ref(&command))).clicked() {
-            commands.push(command);
-        }
+        response.on_hover_text(with_keys(name, std::slice::from_ref(&command))).on_click(commands, command);
     }
 }
 
@@ -350,9 +348,7 @@ fn marks(ui: &mut Ui, state: &State, slider: Rect, commands: &mut Commands) {
         if (0.0..=1.0).contains(&fraction(mark)) {
             tick(ui, slider, span.middle, place, mark.colour);
         }
-        if name(ui, mark, place, galley).clicked() {
-            commands.push(PlaybackCommand::GoTo(mark.time).into());
-        }
+        name(ui, mark, place, galley).on_click(commands, PlaybackCommand::GoTo(mark.time));
     }
 }
 

@@ -5,7 +5,7 @@ use eframe::egui::{Checkbox, Ui};
 
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, SettingsCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::measuring::angle_ruler::{AngleRuler, RulerCommand};
 use crate::app::state::measuring::stopwatch::{Stopwatch, StopwatchCommand, TIP};
@@ -20,18 +20,14 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "Measure", "Chooses what to measure with in the views.", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let is_on = state.scratch.angle_ruler != AngleRuler::Off;
-        if ui
-            .selectable_label(is_on, "Angle")
+        ui.selectable_label(is_on, "Angle")
             .on_hover_text(with_keys(RULER, &[Command::Ruler(RulerCommand::Toggle)]))
-            .clicked()
-        {
-            commands.push(RulerCommand::Toggle.into());
-        }
+            .on_click(commands, RulerCommand::Toggle);
         let is_on = state.scratch.stopwatch != Stopwatch::Hidden;
         let keys = [StopwatchCommand::Press, StopwatchCommand::Toggle].map(Command::Stopwatch);
-        if ui.selectable_label(is_on, "Stopwatch").on_hover_text(with_keys(TIP, &keys)).clicked() {
-            commands.push(StopwatchCommand::Toggle.into());
-        }
+        ui.selectable_label(is_on, "Stopwatch")
+            .on_hover_text(with_keys(TIP, &keys))
+            .on_click(commands, StopwatchCommand::Toggle);
         let mut window = state.document.settings.window;
         let clock = Checkbox::new(&mut window.resting_clock, "clock");
         let reason = "Needs the clocks, which are off.";

@@ -14,7 +14,7 @@ use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui, UiBuilder};
 use relativity_render::Geometry;
 
 use self::speed::SpeedControl;
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, GazeCommand, SettingsCommand, Switch};
 use crate::app::state::State;
@@ -106,9 +106,7 @@ fn few(ui: &mut Ui, state: &State, commands: &mut Commands) {
 
 /// The button that changes from few controls to all and back.
 fn switch(ui: &mut Ui, name: &str, tip: &str, commands: &mut Commands) {
-    if ui.button(name).on_hover_text(tip).clicked() {
-        commands.push(SettingsCommand::Switch(Switch::Simple).into());
-    }
+    ui.button(name).on_hover_text(tip).on_click(commands, SettingsCommand::Switch(Switch::Simple));
 }
 
 fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
@@ -387,8 +385,6 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut LookSettings, comma
         }
         let tip = "Holds the whole scene in the views, with an automatic field of view, as a double click in a view does.";
         let tip = with_keys(tip, &[Command::Gaze(GazeCommand::Whole)]);
-        if ui.button("Frame").on_hover_text(tip).clicked() {
-            commands.push(GazeCommand::Whole.into());
-        }
+        ui.button("Frame").on_hover_text(tip).on_click(commands, GazeCommand::Whole);
     });
 }

@@ -5,7 +5,7 @@ use eframe::egui::{Button, Id, RichText, Ui};
 use super::speed::{self, SpeedControl};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, SettingsCommand, Switch};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::riding::saddle::RideCommand;
 use crate::app::widgets::{NumberRow, row, typed_text};
@@ -73,9 +73,7 @@ pub fn button(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "Ride", tip, |ui| {
         for (text, tip, is_chosen, asked) in buttons.into_iter().take(if is_on { 3 } else { 1 }) {
             let button = ui.add(Button::new(text).selected(is_chosen));
-            if button.on_hover_text(with_keys(tip, std::slice::from_ref(&asked))).clicked() {
-                commands.push(asked);
-            }
+            button.on_hover_text(with_keys(tip, std::slice::from_ref(&asked))).on_click(commands, asked);
         }
     });
 }

@@ -4,7 +4,7 @@ use eframe::egui::{Button, Ui};
 
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, SettingsCommand, WindowCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::widgets::theme;
 use crate::app::widgets::{STEREOSCOPE_TIP, dot, named_text, number, row};
@@ -56,9 +56,7 @@ fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "", "", |ui| {
         let is_pair = !state.document.settings.is_comparing();
         let button = ui.add_enabled(is_pair, Button::new("Comfortable"));
-        if button.on_hover_text(tip).on_disabled_hover_text(NO_PAIR).clicked() {
-            commands.push(SettingsCommand::Narrow.into());
-        }
+        button.on_hover_text(tip).on_disabled_hover_text(NO_PAIR).on_click(commands, SettingsCommand::Narrow);
         if let Some([wide, _]) = narrowed
             && ui.button("As before").on_hover_text("Restores the eye separation.").clicked()
         {
@@ -94,9 +92,7 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "Audience", "Shows the views to an audience.", |ui| {
         let tip = "Fills the screen with the views, one plot and words, all large. Esc leaves.";
         let tip = with_keys(tip, &[Command::Window(WindowCommand::TogglePresenting)]);
-        if ui.button("Present").on_hover_text(tip).clicked() {
-            commands.push(WindowCommand::TogglePresenting.into());
-        }
+        ui.button("Present").on_hover_text(tip).on_click(commands, WindowCommand::TogglePresenting);
         let mut is_open = state.session.stage.projector;
         let tip = with_keys(PROJECTOR_TIP, &[Command::Window(WindowCommand::ToggleProjector)]);
         if ui.checkbox(&mut is_open, "second window").on_hover_text(tip).changed() {
@@ -104,9 +100,9 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
         }
     });
     row(ui, "Lenses", STEREOSCOPE_TIP, |ui| {
-        if ui.button("Stereoscope").on_hover_text(STEREOSCOPE_TIP).clicked() {
-            commands.push(WindowCommand::ToggleStereoscope.into());
-        }
+        ui.button("Stereoscope")
+            .on_hover_text(STEREOSCOPE_TIP)
+            .on_click(commands, WindowCommand::ToggleStereoscope);
     });
     if screen != state.document.settings.screen {
         commands.push(SettingsCommand::Screen(screen).into());

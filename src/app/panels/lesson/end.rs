@@ -2,10 +2,9 @@
 
 use eframe::egui::{TextStyle, Ui};
 
-use super::asked::ask;
 use super::cards;
 use crate::app::commands::{FileCommand, WindowCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::lesson::{LessonCommand, Running};
 use crate::app::state::overlay::Overlay;
@@ -38,17 +37,15 @@ pub fn show(ui: &mut Ui, running: &Running, commands: &mut Commands) {
         ui.add_space(if are_any { cards::APART } else { 0.0 });
     }
     ui.horizontal_wrapped(|ui| {
-        if ui.button("Again").on_hover_text("Starts at its first step").clicked() {
-            ask(commands, LessonCommand::GoTo(Place::START));
-        }
+        ui.button("Again")
+            .on_hover_text("Starts at its first step")
+            .on_click(commands, LessonCommand::GoTo(Place::START));
         let anew = "Starts at its first step without the answers so far; a report keeps them";
-        if ui.button("Start over").on_hover_text(anew).clicked() {
-            ask(commands, LessonCommand::BeginAnew);
-        }
+        ui.button("Start over").on_hover_text(anew).on_click(commands, LessonCommand::BeginAnew);
         let mine = "Shows your answers as a link and a code, to hand them in";
-        if ui.button("My answers…").on_hover_text(mine).clicked() {
-            commands.push(WindowCommand::Toggle(Overlay::Answers).into());
-        }
+        ui.button("My answers…")
+            .on_hover_text(mine)
+            .on_click(commands, WindowCommand::Toggle(Overlay::Answers));
         for (name, product) in PAGES {
             let is_there = product != Product::LabSheet || course.lesson().lab.is_some();
             if is_there && ui.button(name).on_hover_text(product.tip()).clicked() {
@@ -56,12 +53,8 @@ pub fn show(ui: &mut Ui, running: &Running, commands: &mut Commands) {
             }
         }
         let of_class = "Takes the links with your pupils’ answers, and shows how they have answered";
-        if ui.button("Class…").on_hover_text(of_class).clicked() {
-            commands.push(WindowCommand::Toggle(Overlay::Class).into());
-        }
-        if ui.button("All lessons").clicked() {
-            commands.push(WindowCommand::Toggle(Overlay::Start).into());
-        }
+        ui.button("Class…").on_hover_text(of_class).on_click(commands, WindowCommand::Toggle(Overlay::Class));
+        ui.button("All lessons").on_click(commands, WindowCommand::Toggle(Overlay::Start));
     });
 }
 

@@ -2,10 +2,9 @@
 
 use eframe::egui::{Align, Button, Layout, Response, RichText, TextWrapMode, Ui, Vec2, vec2};
 
-use super::asked::ask;
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, ShowCommand, WindowCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::lesson::{LessonCommand, Running};
 use crate::app::state::overlay::Overlay;
@@ -54,9 +53,8 @@ fn back(ui: &mut Ui, course: &Course, commands: &mut Commands) {
     let [can_go_back, _] = course.can_go();
     let back = Button::new("Back").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
     let back = ui.add_enabled(can_go_back, back);
-    if back.on_hover_text(with_keys("", &[Command::Show(ShowCommand::Next(-1))])).clicked() {
-        ask(commands, LessonCommand::Back);
-    }
+    back.on_hover_text(with_keys("", &[Command::Show(ShowCommand::Next(-1))]))
+        .on_click(commands, LessonCommand::Back);
 }
 
 /// Whether the lesson is at its end, with nothing left to ask or to show.
@@ -69,31 +67,21 @@ fn lead_on(ui: &mut Ui, running: &Running, commands: &mut Commands) {
     let course = &running.course;
     let [_, can_go_on] = course.can_go();
     if running.is_running() {
-        if main(ui, "Show the end", true, MAIN_SIZE.into())
+        main(ui, "Show the end", true, MAIN_SIZE.into())
             .on_hover_text("Goes to the end of what is playing")
-            .clicked()
-        {
-            ask(commands, LessonCommand::Forward);
-        }
+            .on_click(commands, LessonCommand::Forward);
     } else if course.asked().is_some() {
         let is_entered = course.draft.as_ref().is_some_and(Answer::is_entered);
-        if main(ui, "Predict", is_entered, MAIN_SIZE.into()).clicked() {
-            ask(commands, LessonCommand::Predict);
-        }
+        main(ui, "Predict", is_entered, MAIN_SIZE.into()).on_click(commands, LessonCommand::Predict);
         if course.is_answered() {
             return;
         }
         let skip = Button::new("Skip").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
-        if ui.add(skip).on_hover_text("Goes on without a prediction").clicked() {
-            ask(commands, LessonCommand::Skip);
-        }
+        ui.add(skip).on_hover_text("Goes on without a prediction").on_click(commands, LessonCommand::Skip);
     } else if can_go_on {
-        if main(ui, "Next", true, MAIN_SIZE.into())
+        main(ui, "Next", true, MAIN_SIZE.into())
             .on_hover_text(with_keys("", &[Command::Show(ShowCommand::Next(1))]))
-            .clicked()
-        {
-            ask(commands, LessonCommand::Forward);
-        }
+            .on_click(commands, LessonCommand::Forward);
     } else {
         close(ui, true, commands);
     }
@@ -112,7 +100,7 @@ fn begin(ui: &mut Ui, next: &Lesson, commands: &mut Commands) {
         main(ui, &name, true, vec2(width, MAIN_SIZE[1]))
     });
     if begin.inner.on_hover_text(format!("Begins the next lesson: {}", next.title)).clicked() {
-        ask(commands, LessonCommand::Open(next.name.clone()));
+        commands.push(LessonCommand::Open(next.name.clone()).into());
     }
 }
 
@@ -124,7 +112,7 @@ fn close(ui: &mut Ui, is_main: bool, commands: &mut Commands) {
         ui.add(Button::new("Close").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false)).clicked()
     };
     if is_closed {
-        ask(commands, LessonCommand::Close);
+        commands.push(LessonCommand::Close.into());
     }
 }
 
@@ -147,13 +135,11 @@ fn count_hands(ui: &mut Ui, course: &Course, commands: &mut Commands) {
     let mut is_class = course.is_class();
     let tip = "Counts how many of a class raise their hands for each choice";
     if ui.checkbox(&mut is_class, "Count hands").on_hover_text(tip).changed() {
-        ask(commands, LessonCommand::ToggleClass);
+        commands.push(LessonCommand::ToggleClass.into());
     }
 }
 
 fn set_up_again(ui: &mut Ui, commands: &mut Commands) {
     let button = Button::new("Set up again").frame_when_inactive(false);
-    if ui.add(button).on_hover_text("Restores the state of this step").clicked() {
-        ask(commands, LessonCommand::SetUp);
-    }
+    ui.add(button).on_hover_text("Restores the state of this step").on_click(commands, LessonCommand::SetUp);
 }

@@ -3,7 +3,6 @@
 
 use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle, Ui, vec2};
 
-use super::asked::ask;
 use super::cards::{self, Room};
 use crate::app::panels::Commands;
 use crate::app::state::State;
@@ -33,7 +32,7 @@ pub fn show(
 }
 
 fn draft(commands: &mut Commands, answer: Option<Answer>) {
-    ask(commands, LessonCommand::Draft(answer));
+    commands.push(LessonCommand::Draft(answer).into());
 }
 
 /// The choices, one of which can be taken.
@@ -134,7 +133,7 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, commands: &mut Comma
         ui.data_mut(|data| data.insert_temp(id, text));
         let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if is_entered && answer.is_some_and(|answer| answer.is_entered()) {
-            ask(commands, LessonCommand::Predict);
+            commands.push(LessonCommand::Predict.into());
         }
     });
     if let Some(remark) = ui.data(|data| data.get_temp::<String>(id)).and_then(|text| remark(&text)) {
@@ -185,7 +184,7 @@ pub fn confidence(ui: &mut Ui, course: &Course, commands: &mut Commands) {
             let name = level.name();
             let button = ui.selectable_label(is_chosen, format!(" {name} "));
             if button.accessible_name(format!("How sure: {name}")).clicked() {
-                ask(commands, LessonCommand::Confidence(Some(level).filter(|_| !is_chosen)));
+                commands.push(LessonCommand::Confidence(Some(level).filter(|_| !is_chosen)).into());
             }
         }
     });

@@ -3,8 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Label, Layout, Response, RichText, Sense, Stroke, Ui, WidgetInfo, vec2};
 
-use super::asked::ask;
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::lesson::LessonCommand;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::theme;
@@ -23,12 +22,9 @@ pub fn show(ui: &mut Ui, course: &Course, commands: &mut Commands) {
         ui.spacing_mut().item_spacing.x = 2.0;
         let size = vec2(BUTTON_SIDE, BUTTON_SIDE);
         let close = icons::button(ui, Icon::Remove, "Close the lesson", size);
-        if close
+        close
             .on_hover_text("Closes the lesson, and restores the parts of the window. Its answers are kept")
-            .clicked()
-        {
-            ask(commands, LessonCommand::Close);
-        }
+            .on_click(commands, LessonCommand::Close);
         fold(ui, Icon::Back, "Fold the lesson", commands);
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             ui.add_space(2.0);
@@ -66,9 +62,7 @@ pub fn folded(ui: &mut Ui, course: &Course, commands: &mut Commands) {
 
 fn fold(ui: &mut Ui, icon: Icon, name: &str, commands: &mut Commands) {
     let button = icons::button(ui, icon, name, vec2(BUTTON_SIDE, BUTTON_SIDE));
-    if button.on_hover_text(name).clicked() {
-        ask(commands, LessonCommand::ToggleFolded);
-    }
+    button.on_hover_text(name).on_click(commands, LessonCommand::ToggleFolded);
 }
 
 /// The dot of the step of this `number`, which goes there.
@@ -81,9 +75,9 @@ fn dot(ui: &mut Ui, course: &Course, number: usize, size: eframe::egui::Vec2, co
     let is_here = number == place;
     response.widget_info(|| WidgetInfo::selected(Role::Button, can_reach, is_here, &name));
     paint(ui, &response, rect.center(), [is_here, number < place, can_reach]);
-    if response.on_hover_text(&name).clicked() {
-        ask(commands, LessonCommand::GoTo(Place { step: number, phase: Phase::Ask }));
-    }
+    response
+        .on_hover_text(&name)
+        .on_click(commands, LessonCommand::GoTo(Place { step: number, phase: Phase::Ask }));
 }
 
 fn paint(ui: &Ui, response: &Response, centre: eframe::egui::Pos2, [is_here, is_past, can_reach]: [bool; 3]) {

@@ -1,6 +1,5 @@
 //! The panel of the lesson under way: the present place, its text and question, and the way on.
 
-mod asked;
 mod cards;
 mod end;
 mod foot;

@@ -2,9 +2,8 @@
 
 use eframe::egui::{RichText, Ui};
 
-use super::asked::ask;
 use super::cards::{self, Room};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::lesson::LessonCommand;
 use crate::lesson::{Choices, Course, Record, Text};
 
@@ -14,9 +13,7 @@ pub fn show(ui: &mut Ui, room: Room, course: &Course, asked: &Choices, commands:
     let observed = course.record().and_then(|record: &Record| record.observed);
     let mut card = |ui: &mut Ui, number: usize, text: &Text| {
         let is_chosen = observed == Some(number);
-        if cards::choice(ui, text, number, is_chosen).clicked() {
-            ask(commands, LessonCommand::Observe(number));
-        }
+        cards::choice(ui, text, number, is_chosen).on_click(commands, LessonCommand::Observe(number));
     };
     let texts = &asked.options.texts;
     match observed.and_then(|chosen| Some((chosen, texts.get(chosen)?))) {
@@ -34,7 +31,7 @@ pub fn show(ui: &mut Ui, room: Room, course: &Course, asked: &Choices, commands:
             if room == Room::Panel
                 && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()
             {
-                ask(commands, LessonCommand::SetUp);
+                commands.push(LessonCommand::SetUp.into());
             }
         }
         None => {}

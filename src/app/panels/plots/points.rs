@@ -2,8 +2,8 @@
 
 use eframe::egui::{Color32, TextStyle, Ui, vec2};
 
-use crate::app::commands::{Command, PointsCommand};
-use crate::app::panels::Commands;
+use crate::app::commands::PointsCommand;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::plots::look::{self, PlotCommand};
 use crate::app::widgets::dot;
@@ -34,14 +34,14 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             Some(wheel) => format!("Turns with its wheel, {}. At {place} when τ = 0.", wheel.share_text()),
         };
         let tip = format!("{is}\nClick in a view to move it, shift-click to add one.");
-        if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
-            commands.push(PointsCommand::Select(index).into());
-        }
+        ui.selectable_label(chosen, &name)
+            .on_hover_text(tip)
+            .on_click(commands, PointsCommand::Select(index));
         if points.is_removable(index) {
             let name = format!("Remove {name}");
-            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0)).on_hover_text(&name).clicked() {
-                commands.push(PointsCommand::Remove(index).into());
-            }
+            icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0))
+                .on_hover_text(&name)
+                .on_click(commands, PointsCommand::Remove(index));
         }
         ui.add_space(6.0);
     }
@@ -61,9 +61,7 @@ fn entry_width(ui: &Ui, name: &str) -> f32 {
 fn buttons(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let plotting = &state.scratch.plotting;
     let mut button = |ui: &mut Ui, name: &str, tip: &str, command: PlotCommand| {
-        if ui.small_button(name).on_hover_text(tip).clicked() {
-            commands.push(Command::Plots(command));
-        }
+        ui.small_button(name).on_hover_text(tip).on_click(commands, command);
     };
     let tip = "Keeps the present curves of the selected point, to compare speeds, for example. (K)";
     button(ui, "Pin", tip, PlotCommand::Pin);

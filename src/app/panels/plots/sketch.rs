@@ -10,7 +10,7 @@ use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, label_places, plot_
 use super::chart::RIGHT_DASHES;
 use super::drawn::style;
 use super::legend::{self, LegendEntry};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::state::queries::drawn_curve::Sketched;
@@ -52,9 +52,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, commands:
         if sketched.is_asked {
             // It is always there: the plot stays where it is while something is drawn.
             let clear = ui.add_enabled(!sketched.points.is_empty(), Button::new("Clear"));
-            if clear.on_hover_text("Clears the curve.").clicked() {
-                commands.push(LessonCommand::Draft(None).into());
-            }
+            clear.on_hover_text("Clears the curve.").on_click(commands, LessonCommand::Draft(None));
         }
     });
     plot(ui, state, sketched, commands);

@@ -16,7 +16,7 @@ use eframe::egui::{Button, Key, Memory, RichText, ScrollArea, TextStyle, Ui, UiB
 use gamow_platform::messages;
 
 use self::card::{Card, Cards};
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, FileCommand, ShowCommand, WindowCommand};
 use crate::app::state::State;
@@ -112,9 +112,7 @@ fn front(ui: &mut Ui, state: &State, library: &Library, pictures: Pictures<'_>, 
         ui.horizontal_wrapped(|ui| {
             let open = Command::Window(WindowCommand::Toggle(Overlay::Presets));
             let tip = with_keys("Shows all presets, in four groups.", std::slice::from_ref(&open));
-            if ui.button("Presets").on_hover_text(tip).clicked() {
-                commands.push(open);
-            }
+            ui.button("Presets").on_hover_text(tip).on_click(commands, open);
             ui.label(RichText::new(words::presets()).weak());
         });
         ui.label(RichText::new(words::OWN).weak());
@@ -176,9 +174,7 @@ fn title(ui: &mut Ui, title: &str, remark: &str, commands: &mut Commands) {
     let body = TextStyle::Body.resolve(ui.style()).size;
     let back = Command::Window(WindowCommand::Toggle(Overlay::Start));
     let tip = with_keys("Returns to the start page.", std::slice::from_ref(&back));
-    if ui.add(Button::new("← Start page").frame(false)).on_hover_text(tip).clicked() {
-        commands.push(back);
-    }
+    ui.add(Button::new("← Start page").frame(false)).on_hover_text(tip).on_click(commands, back);
     ui.label(RichText::new(title).size(PAGE * body).strong());
     ui.label(RichText::new(remark).weak());
     ui.add_space(0.5 * body);

@@ -10,7 +10,7 @@ use relativity_core::{Curves, Model, PublishedVariant};
 pub(super) use self::export::{csv, panels};
 use super::split::{part, table_and_plots};
 use crate::app::commands::{FileCommand, SettingsCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::fitting::Fitting;
@@ -108,9 +108,9 @@ fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {
 fn data(ui: &mut Ui, state: &State, setup: &mut FitSettings, commands: &mut Commands) {
     ui.label(RichText::new("data").weak());
     if state.session.data.is_some() {
-        if ui.button("Simulated").on_hover_text("Simulates samples of the selected point again.").clicked() {
-            commands.push(FileCommand::Simulate.into());
-        }
+        ui.button("Simulated")
+            .on_hover_text("Simulates samples of the selected point again.")
+            .on_click(commands, FileCommand::Simulate);
     } else {
         let shown = DATA_FROM.iter().find(|(from, _)| *from == setup.data_from);
         ComboBox::from_id_salt("data from")
@@ -128,13 +128,11 @@ fn data(ui: &mut Ui, state: &State, setup: &mut FitSettings, commands: &mut Comm
     }
     let tip = "Fits measured disparities: a CSV file with the columns T, dphi or dtheta or both, optionally sigma_dphi, sigma_dtheta and d.\n\
         Such a file can be dropped onto the window, too.";
-    if ui.button("Own data…").on_hover_text(tip).clicked() {
-        commands.push(FileCommand::Choose(Purpose::OpenData).into());
-    }
+    ui.button("Own data…").on_hover_text(tip).on_click(commands, FileCommand::Choose(Purpose::OpenData));
     let tip = "Saves the numbers, with their uncertainties, as `gamow fit --json` does.";
-    if ui.button("Save…").on_hover_text(tip).clicked() {
-        commands.push(FileCommand::Choose(Purpose::Save(Product::Fit)).into());
-    }
+    ui.button("Save…")
+        .on_hover_text(tip)
+        .on_click(commands, FileCommand::Choose(Purpose::Save(Product::Fit)));
 }
 
 /// The file that the samples are from.
