@@ -69,6 +69,14 @@ const fn window(command: WindowCommand) -> Command {
     Command::Window(command)
 }
 
+const fn toggle(page: Overlay) -> Command {
+    Command::Window(WindowCommand::Toggle(page))
+}
+
+const fn next(steps: i32) -> Command {
+    Command::Show(ShowCommand::Next(steps))
+}
+
 const fn save(product: Product) -> Command {
     Command::File(FileCommand::Choose(Purpose::Save(product)))
 }
@@ -171,37 +179,17 @@ pub static ACTIONS: &[Action] = &[
         &[],
         window(WindowCommand::ToggleStereoscope),
     ),
-    action(
-        "go back in the lesson or to the preset before",
-        &[key(Key::PageUp)],
-        Command::Show(ShowCommand::Next(-1)),
-    ),
-    action(
-        "go on in the lesson or to the next preset",
-        &[key(Key::PageDown)],
-        Command::Show(ShowCommand::Next(1)),
-    ),
+    action("go back in the lesson or to the preset before", &[key(Key::PageUp)], next(-1)),
+    action("go on in the lesson or to the next preset", &[key(Key::PageDown)], next(1)),
     action("set up the step of the lesson again", &[], Command::Lesson(LessonCommand::SetUp)),
     action("count hands in the lesson, or no longer", &[], Command::Lesson(LessonCommand::ToggleClass)),
     action("fold the lesson, or unfold it", &[], Command::Lesson(LessonCommand::ToggleFolded)),
     action("start the lesson over, without its answers", &[], Command::Lesson(LessonCommand::BeginAnew)),
     action("close the lesson", &[], Command::Lesson(LessonCommand::Close)),
     action("end the sequence of your own", &[], Command::Show(ShowCommand::EndSequence)),
-    action(
-        "open or close the start page: lessons and presets",
-        &[key(Key::S)],
-        window(WindowCommand::Toggle(Overlay::Start)),
-    ),
-    action(
-        "show all presets to choose from",
-        &[with_shift(Key::S)],
-        window(WindowCommand::Toggle(Overlay::Presets)),
-    ),
-    action(
-        "find an action by its name",
-        &[with_control(Key::P)],
-        window(WindowCommand::Toggle(Overlay::Palette)),
-    ),
+    action("open or close the start page: lessons and presets", &[key(Key::S)], toggle(Overlay::Start)),
+    action("show all presets to choose from", &[with_shift(Key::S)], toggle(Overlay::Presets)),
+    action("find an action by its name", &[with_control(Key::P)], toggle(Overlay::Palette)),
     action("fit own data", &[], Command::File(FileCommand::Choose(Purpose::OpenData))),
     action("fit simulated data", &[], Command::File(FileCommand::Simulate)),
     action("save the picture", &[with_control(Key::S)], save(Product::Picture)),
@@ -216,8 +204,8 @@ pub static ACTIONS: &[Action] = &[
     action("save the worksheet of the lesson", &[], save(Product::Worksheet)),
     action("save the lab of the lesson", &[], save(Product::LabSheet)),
     action("save the teacher’s page of the lesson", &[], save(Product::TeachersPage)),
-    action("hand in my answers in the lesson", &[], window(WindowCommand::Toggle(Overlay::Answers))),
-    action("collect the answers of a class", &[], window(WindowCommand::Toggle(Overlay::Class))),
+    action("hand in my answers in the lesson", &[], toggle(Overlay::Answers)),
+    action("collect the answers of a class", &[], toggle(Overlay::Class)),
     action(
         "copy the command of this window",
         &[with_control(Key::C)],
@@ -228,11 +216,7 @@ pub static ACTIONS: &[Action] = &[
     action("copy the command of the picture", &[], Command::File(FileCommand::Copy(Copied::RenderCommand))),
     action("copy the command of the curves", &[], Command::File(FileCommand::Copy(Copied::CurveCommand))),
     action("copy the values at T", &[], Command::File(FileCommand::Copy(Copied::Values))),
-    action(
-        "show this help",
-        &[key(Key::Questionmark), key(Key::F1)],
-        window(WindowCommand::Toggle(Overlay::Help)),
-    ),
+    action("show this help", &[key(Key::Questionmark), key(Key::F1)], toggle(Overlay::Help)),
     action("close what is on top, or leave", &[key(Key::Escape)], window(WindowCommand::Close)),
 ];
 

@@ -7,7 +7,7 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 use gamow_platform::files;
 
-use super::{Commands, OnClick as _};
+use super::{Commands, OnClick as _, on_change};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, FileCommand, SettingsCommand, ShowCommand, Switch, WindowCommand};
 use crate::app::state::State;
@@ -297,7 +297,5 @@ fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
         commands.push(SettingsCommand::Switch(Switch::Map).into());
     }
     ui.toggle_value(&mut window.views, "Views").on_hover_text(about("views"));
-    if window != state.document.settings.window {
-        commands.push(SettingsCommand::Window(window).into());
-    }
+    on_change(commands, &state.document.settings.window, window, SettingsCommand::Window);
 }

@@ -4,7 +4,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, CursorIcon, Sense, Stroke, Ui, Vec2, vec2};
 
-use super::Commands;
+use super::{Commands, on_change};
 use crate::app::commands::{SettingsCommand, WindowCommand};
 use crate::app::state::State;
 use crate::app::state::stage::WindowPart;
@@ -34,9 +34,7 @@ pub fn show(ui: &Ui, state: &State, border: Border, commands: &mut Commands) {
     };
     response.on_hover_cursor(cursor).on_hover_text(TIP);
     let changed = share.map_or(window, |share| split.with(window, share));
-    if changed != window {
-        commands.push(SettingsCommand::Window(changed).into());
-    }
+    on_change(commands, &window, changed, SettingsCommand::Window);
 }
 
 /// Maximises `part` after a double click on its title, which is all that is in `ui`.

@@ -48,5 +48,17 @@ impl OnClick for Response {
     }
 }
 
+/// Asks for what `command` makes of a value that is `now` another than `before`.
+pub fn on_change<T: PartialEq, C: Into<Command>>(
+    commands: &mut Commands,
+    before: &T,
+    now: T,
+    command: impl FnOnce(T) -> C,
+) {
+    if now != *before {
+        commands.push(command(now).into());
+    }
+}
+
 /// Written between two notes on a picture.
 const BETWEEN_NOTES: &str = "  ·  ";

@@ -3,7 +3,7 @@
 use eframe::egui::{Align2, Area, Context, Frame, Id, Order, Slider, Ui, vec2};
 
 use crate::app::commands::{SettingsCommand, WindowCommand};
-use crate::app::panels::{Commands, OnClick as _};
+use crate::app::panels::{Commands, OnClick as _, on_change};
 use crate::settings::{LENS_MM, PICTURE_MM, ScreenSettings, about};
 
 /// Width of the menu, points.
@@ -98,9 +98,7 @@ fn measures(ui: &mut Ui, screen: ScreenSettings, known: Known, commands: &mut Co
     if known.is_measured {
         ui.weak("The size of the screen was set.");
     }
-    if changed != screen {
-        commands.push(SettingsCommand::Screen(changed).into());
-    }
+    on_change(commands, &screen, changed, SettingsCommand::Screen);
 }
 
 fn buttons(ui: &mut Ui, known: Known, commands: &mut Commands) -> MenuChoice {

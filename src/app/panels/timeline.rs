@@ -9,7 +9,7 @@ use eframe::egui::{
     Sense, Slider, SliderClamping, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2,
 };
 
-use super::{Commands, OnClick as _};
+use super::{Commands, OnClick as _, on_change};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, PlaybackCommand, SettingsCommand};
 use crate::app::state::State;
@@ -188,9 +188,7 @@ fn playback(ui: &mut Ui, state: &State, shown: PlaybackControls, commands: &mut 
     if shown != PlaybackControls::Nothing {
         rate(ui, state, &mut playback);
     }
-    if playback != state.document.settings.playback {
-        commands.push(SettingsCommand::Playback(playback).into());
-    }
+    on_change(commands, &state.document.settings.playback, playback, SettingsCommand::Playback);
 }
 
 fn rate(ui: &mut Ui, state: &State, playback: &mut PlaybackSettings) {

@@ -36,46 +36,30 @@ pub struct Figure {
 /// describes.
 pub const FIGURES: [Figure; 5] = [
     Figure {
-        number: 9,
-        name: "stereo-at-rest",
-        caption: "The cyclist itself, as cameras that ride along see it",
-        preset: "abreast",
         at_rest: true,
-        places: &[0.0],
+        ..figure(
+            9,
+            "stereo-at-rest",
+            "The cyclist itself, as cameras that ride along see it",
+            "abreast",
+            &[0.0],
+        )
     },
-    Figure {
-        number: 10,
-        name: "stereo-approaching",
-        caption: "Approaching at beta = 0.9",
-        preset: "approaching",
-        at_rest: false,
-        places: &[-12.0, -8.0, -5.0],
-    },
-    Figure {
-        number: 11,
-        name: "stereo-abreast",
-        caption: "Abreast at beta = 0.9",
-        preset: "abreast",
-        at_rest: false,
-        places: &[-2.0, -0.5, 0.5],
-    },
-    Figure {
-        number: 12,
-        name: "stereo-abreast-0.6",
-        caption: "Abreast at beta = 0.6",
-        preset: "abreast-0.6",
-        at_rest: false,
-        places: &[-2.0, -0.5, 0.5],
-    },
-    Figure {
-        number: 13,
-        name: "stereo-receding",
-        caption: "Receding at beta = 0.9",
-        preset: "receding",
-        at_rest: false,
-        places: &[1.5, 3.0, 5.0],
-    },
+    figure(10, "stereo-approaching", "Approaching at beta = 0.9", "approaching", &[-12.0, -8.0, -5.0]),
+    figure(11, "stereo-abreast", "Abreast at beta = 0.9", "abreast", &[-2.0, -0.5, 0.5]),
+    figure(12, "stereo-abreast-0.6", "Abreast at beta = 0.6", "abreast-0.6", &[-2.0, -0.5, 0.5]),
+    figure(13, "stereo-receding", "Receding at beta = 0.9", "receding", &[1.5, 3.0, 5.0]),
 ];
+
+const fn figure(
+    number: u8,
+    name: &'static str,
+    caption: &'static str,
+    preset: &'static str,
+    places: &'static [f64],
+) -> Figure {
+    Figure { number, name, caption, preset, at_rest: false, places }
+}
 
 const WIDTH: u32 = 400;
 const HEIGHT: u32 = 300;

@@ -7,7 +7,7 @@ use relativity_core::doppler::{
 use relativity_render::{Colour, Shading, StreetColours};
 
 use crate::app::commands::SettingsCommand;
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, on_change};
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, row};
 use crate::flags::{EXPOSURE_EV, Exposure, TEMPERATURE_K};
@@ -45,9 +45,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             choice(ui, &mut light.street_colours, &STREETS);
         });
     }
-    if light != before {
-        commands.push(SettingsCommand::Light(light).into());
-    }
+    on_change(commands, &before, light, SettingsCommand::Light);
 }
 
 fn temperature() -> NumberRow<'static> {

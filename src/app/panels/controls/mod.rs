@@ -14,7 +14,7 @@ use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui, UiBuilder};
 use relativity_render::Geometry;
 
 use self::speed::SpeedControl;
-use super::{Commands, OnClick as _};
+use super::{Commands, OnClick as _, on_change};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, GazeCommand, SettingsCommand, Switch};
 use crate::app::state::State;
@@ -128,9 +128,7 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
     if !is_simple {
         path_rows(ui, measures.length, state.document.scene.tracked, &mut motion, default);
     }
-    if motion != state.document.settings.motion {
-        commands.push(SettingsCommand::Motion(motion).into());
-    }
+    on_change(commands, &state.document.settings.motion, motion, SettingsCommand::Motion);
 }
 
 /// Shows the speed of the bodies, large unless the observer's own is; on a ride none where nothing moves at
@@ -213,9 +211,7 @@ fn look(ui: &mut Ui, state: &State, commands: &mut Commands) {
     more_rows(ui, state.document.settings.window, state.measures().time, commands);
     quality::show(ui, state, commands);
     measuring::show(ui, state, commands);
-    if look != state.document.settings.look {
-        commands.push(SettingsCommand::Look(look).into());
-    }
+    on_change(commands, &state.document.settings.look, look, SettingsCommand::Look);
 }
 
 /// Shows the choice of the layout.
@@ -302,9 +298,7 @@ fn more_rows(ui: &mut Ui, before: WindowSettings, unit: Unit, commands: &mut Com
         ui.checkbox(&mut window.sentence, "sentence").on_hover_text(about("sentence"));
         ui.checkbox(&mut window.ruler, "ruler").on_hover_text(about("ruler"));
     });
-    if window != before {
-        commands.push(SettingsCommand::Window(window).into());
-    }
+    on_change(commands, &before, window, SettingsCommand::Window);
 }
 
 fn gaze_row(ui: &mut Ui, state: &State, look: &mut LookSettings) {

@@ -4,7 +4,7 @@ use eframe::egui::{Checkbox, RichText, Ui};
 use gamow_platform::threads;
 
 use crate::app::commands::SettingsCommand;
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, on_change};
 use crate::app::state::State;
 use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
 use crate::flags::choices::RendererChoice;
@@ -27,9 +27,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             "Only in the desktop program: it would stop the page for parts of a second.",
         );
     });
-    if quality != before {
-        commands.push(SettingsCommand::Quality(quality).into());
-    }
+    on_change(commands, &before, quality, SettingsCommand::Quality);
 }
 
 /// Shows the goal of automatic quality, and its choice.

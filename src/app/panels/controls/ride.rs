@@ -5,7 +5,7 @@ use eframe::egui::{Button, Id, RichText, Ui};
 use super::speed::{self, SpeedControl};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, SettingsCommand, Switch};
-use crate::app::panels::{Commands, OnClick as _};
+use crate::app::panels::{Commands, OnClick as _, on_change};
 use crate::app::state::State;
 use crate::app::state::riding::saddle::RideCommand;
 use crate::app::widgets::{NumberRow, row, typed_text};
@@ -48,9 +48,7 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
             commands.push(SettingsCommand::Window(window).into());
         }
     });
-    if ride != state.document.settings.ride {
-        commands.push(RideCommand::Set(ride).into());
-    }
+    on_change(commands, &state.document.settings.ride, ride, RideCommand::Set);
 }
 
 /// The button that gets on the bicycle, or off it.

@@ -4,7 +4,7 @@ use eframe::egui::{Button, Ui};
 
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, SettingsCommand, WindowCommand};
-use crate::app::panels::{Commands, OnClick as _};
+use crate::app::panels::{Commands, OnClick as _, on_change};
 use crate::app::state::State;
 use crate::app::widgets::theme;
 use crate::app::widgets::{STEREOSCOPE_TIP, dot, named_text, number, row};
@@ -104,9 +104,7 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
             .on_hover_text(STEREOSCOPE_TIP)
             .on_click(commands, WindowCommand::ToggleStereoscope);
     });
-    if screen != state.document.settings.screen {
-        commands.push(SettingsCommand::Screen(screen).into());
-    }
+    on_change(commands, &state.document.settings.screen, screen, SettingsCommand::Screen);
 }
 
 const PROJECTOR_TIP: &str = "Shows the views, and a lesson's words, in a window for a projector, on the other screen if there is one, while the controls stay here. Keys and mouse \

@@ -5,7 +5,7 @@ use eframe::egui::Ui;
 
 use super::{projection, screen};
 use crate::app::commands::SettingsCommand;
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, on_change};
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice_of, row};
 use crate::flags::HEAD_DEGREES;
@@ -17,12 +17,8 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     head_rows(ui, &mut motion, state.defaults().motion);
     projection::show(ui, state, &mut look);
     screen::show(ui, state, commands);
-    if motion != state.document.settings.motion {
-        commands.push(SettingsCommand::Motion(motion).into());
-    }
-    if look != state.document.settings.look {
-        commands.push(SettingsCommand::Look(look).into());
-    }
+    on_change(commands, &state.document.settings.motion, motion, SettingsCommand::Motion);
+    on_change(commands, &state.document.settings.look, look, SettingsCommand::Look);
 }
 
 /// Shows the direction of the eyes from each other: a choice of three, and the tilt and turn of the head.

@@ -4,7 +4,7 @@ use eframe::egui::{self, CursorIcon, Pos2, Rect, Response, Sense, Ui, Vec2, acce
 use relativity_core::math;
 
 use crate::app::commands::Command;
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, on_change};
 use crate::app::state::State;
 use crate::map::{Chart, Viewpoint};
 
@@ -52,9 +52,7 @@ pub fn look_around(
     if let (true, Some(pointer)) = (response.contains_pointer(), response.hover_pos()) {
         viewpoint = zoomed(ui, viewpoint, chart, axes, pointer);
     }
-    if viewpoint != before {
-        commands.push(Command::MapView(viewpoint));
-    }
+    on_change(commands, &before, viewpoint, Command::MapView);
     response
 }
 

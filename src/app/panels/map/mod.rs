@@ -10,7 +10,7 @@ mod times;
 
 use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
-use super::Commands;
+use super::{Commands, on_change};
 use crate::app::commands::SettingsCommand;
 use crate::app::state::State;
 use crate::app::widgets::{choice, explained_lazily};
@@ -68,7 +68,5 @@ fn strip(ui: &mut Ui, state: &State, commands: &mut Commands) {
         explained_lazily(close_up, || meaning(&MapFraming::CloseUp));
         map.framing = if is_close_up { MapFraming::CloseUp } else { MapFraming::Passage };
     });
-    if map != state.document.settings.map {
-        commands.push(SettingsCommand::Map(map).into());
-    }
+    on_change(commands, &state.document.settings.map, map, SettingsCommand::Map);
 }

@@ -30,7 +30,7 @@ pub use self::export::{csv, svg};
 pub use self::plotted::Plotted;
 use self::traces::chart;
 use crate::app::commands::SettingsCommand;
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, on_change};
 use crate::app::state::State;
 use crate::app::state::plots::curves::QuantityCurves;
 use crate::app::state::plots::look::quantities;
@@ -153,9 +153,7 @@ fn tabs(ui: &mut Ui, state: &State, commands: &mut Commands) {
     if plots.plot == PlotTab::Disparity {
         coordinates(ui, &mut plots.coordinates);
     }
-    if plots != state.document.settings.plots {
-        commands.push(SettingsCommand::Plots(plots).into());
-    }
+    on_change(commands, &state.document.settings.plots, plots, SettingsCommand::Plots);
 }
 
 /// Chooses the coordinates of the disparities.

@@ -10,7 +10,7 @@ use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, label_places, plot_
 use super::chart::RIGHT_DASHES;
 use super::drawn::style;
 use super::legend::{self, LegendEntry};
-use crate::app::panels::{Commands, OnClick as _};
+use crate::app::panels::{Commands, OnClick as _, on_change};
 use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::state::queries::drawn_curve::Sketched;
@@ -64,9 +64,7 @@ pub(super) fn switch(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let mut plots = now;
     ui.selectable_value(&mut plots, false, "Your curve").on_hover_text("Your curve and the true one.");
     ui.selectable_value(&mut plots, true, "All plots").on_hover_text("The whole of every plot.");
-    if plots != now {
-        commands.push(LessonCommand::ShowPlots(plots).into());
-    }
+    on_change(commands, &now, plots, LessonCommand::ShowPlots);
 }
 
 /// Returns the eyes of a quantity: disparities belong to both.

@@ -12,7 +12,7 @@ use gamow_platform::threads;
 
 use super::split::{part, table_and_plots};
 use crate::app::commands::SettingsCommand;
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, on_change};
 use crate::app::state::State;
 use crate::app::views::examination::Examination;
 use crate::app::views::heat_map;
@@ -54,9 +54,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, comma
     if let Some(plot) = plot {
         part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, chosen, &mut quality));
     }
-    if quality != before {
-        commands.push(SettingsCommand::Quality(quality).into());
-    }
+    on_change(commands, &before, quality, SettingsCommand::Quality);
 }
 
 /// Whether the choice is automatic, and what was chosen.

@@ -10,7 +10,7 @@ use relativity_core::{Curves, Model, PublishedVariant};
 pub(super) use self::export::{csv, panels};
 use super::split::{part, table_and_plots};
 use crate::app::commands::{FileCommand, SettingsCommand};
-use crate::app::panels::{Commands, OnClick as _};
+use crate::app::panels::{Commands, OnClick as _, on_change};
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::fitting::Fitting;
@@ -61,9 +61,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, commands: &mut Comman
     if let Some(plots) = plots {
         part(ui, "fit plots", plots, |ui| plots::show(ui, state, fitting, commands));
     }
-    if setup != state.document.settings.fit {
-        commands.push(SettingsCommand::Fit(setup).into());
-    }
+    on_change(commands, &state.document.settings.fit, setup, SettingsCommand::Fit);
 }
 
 /// Part of the width that the readings take before an audience, and of the height beside them the table.
