@@ -77,23 +77,17 @@ impl Fragment {
 
     /// Returns the text behind the `#`.
     pub fn to_text(&self) -> String {
-        let lesson = self.lesson.as_ref().map(|name| format!("lesson={name}"));
-        let presents = self.presents.then(|| "present".to_owned());
-        let stereoscope = self.stereoscope.then(|| "stereoscope".to_owned());
-        let start = self.start.then(|| "start".to_owned());
-        let data =
-            self.data.as_ref().map(|name| format!("data={}", utf8_percent_encode(name, NON_ALPHANUMERIC)));
-        let pairs = (!self.pairs.is_empty()).then(|| self.pairs.clone());
-        let answers = self.answers.as_deref().map(link_pair);
-        let parts = lesson
-            .into_iter()
-            .chain(presents)
-            .chain(stereoscope)
-            .chain(start)
-            .chain(answers)
-            .chain(data)
-            .chain(pairs);
-        parts.collect::<Vec<_>>().join("&")
+        let data = |name: &String| format!("data={}", utf8_percent_encode(name, NON_ALPHANUMERIC));
+        let parts = [
+            self.lesson.as_ref().map(|name| format!("lesson={name}")),
+            self.presents.then(|| "present".to_owned()),
+            self.stereoscope.then(|| "stereoscope".to_owned()),
+            self.start.then(|| "start".to_owned()),
+            self.answers.as_deref().map(link_pair),
+            self.data.as_ref().map(data),
+            (!self.pairs.is_empty()).then(|| self.pairs.clone()),
+        ];
+        parts.into_iter().flatten().collect::<Vec<_>>().join("&")
     }
 
     /// Whether the address leaves open what is shown, so that a newcomer may be welcomed.
@@ -108,15 +102,16 @@ impl Fragment {
         (!is_fitted).then_some(Path::new(name))
     }
 
-    /// Returns the link that its settings make, if it has any.
-    pub fn link(&self) -> Option<PathBuf> {
-        (!self.pairs.is_empty()).then(|| PathBuf::from(link_of_pairs(&self.pairs)))
+    /// Returns the link that its settings make, with defaults for all others.
+    fn link(&self) -> PathBuf {
+        PathBuf::from(link_of_pairs(&self.pairs))
     }
 
-    /// Returns the link to what is shown at this address: its settings, and defaults for all others. `None`
-    /// for a lesson, which has its own.
+    /// Returns the link to what is shown at this address. `None` for a lesson, which has its own, and for
+    /// `#start` and its like alone, which leave open what is shown behind them.
     pub fn link_to_follow(&self) -> Option<PathBuf> {
-        self.lesson.is_none().then(|| PathBuf::from(link_of_pairs(&self.pairs)))
+        let leaves_open = self.pairs.is_empty() && !self.welcomes();
+        (self.lesson.is_none() && !leaves_open).then(|| self.link())
     }
 
     /// Returns the link with a pupil's answers, if it has some.
@@ -127,8 +122,10 @@ impl Fragment {
     /// Returns the settings that it leads to, and a message if there is something wrong with it. What it does
     /// not name is as it was `left`, or for what is shown the default.
     pub fn settings(&self, left: Settings) -> (Settings, Option<String>) {
-        let Some(link) = self.link() else { return (left, None) };
-        match Settings::default().in_place_of(&left).with_file(&link) {
+        if self.pairs.is_empty() {
+            return (left, None);
+        }
+        match Settings::default().in_place_of(&left).with_file(&self.link()) {
             Ok(settings) => (settings, None),
             Err(error) => (left, Some(error.to_string())),
         }

@@ -92,9 +92,7 @@ impl PageApp {
         if fragment.start && !overlay.is_some_and(Overlay::is_page) {
             self.app.run(WindowCommand::Toggle(Overlay::Start));
         }
-        // `#start` and its like alone leave open what is shown behind them.
-        let leaves_open = fragment.link().is_none() && !fragment.welcomes();
-        if let Some(link) = fragment.link_to_follow().filter(|_| !leaves_open) {
+        if let Some(link) = fragment.link_to_follow() {
             self.app.run(FileCommand::Open(link));
         }
         if fragment.presents != self.app.state().session.stage.is_presented() {

@@ -161,24 +161,6 @@ impl Shape {
         }
     }
 
-    /// The name in scene files.
-    #[must_use]
-    pub fn name(&self) -> &'static str {
-        self.ask(|shape| shape.name())
-    }
-
-    /// The numbers in the order of the scene format; of a box half its size, and its turn as a quaternion.
-    #[must_use]
-    pub fn numbers(&self) -> Vec<f64> {
-        self.ask(|shape| shape.numbers())
-    }
-
-    /// Whether it stays as it is while it turns: a body of revolution about the axle of `spin`.
-    #[must_use]
-    pub fn is_round_about(&self, spin: &Spin) -> bool {
-        self.ask(|shape| shape.is_round_about(spin))
-    }
-
     /// The shape moved by `offset`.
     #[must_use]
     pub fn moved(self, offset: [f64; 3]) -> Self {
@@ -191,45 +173,6 @@ impl Shape {
         self.mapped(|place| spin.turned(place.into(), angle).to_array(), Some(angle))
     }
 
-    /// The distance of `place` at rest from the surface; below 0 inside.
-    #[must_use]
-    pub fn distance(&self, place: DVec3) -> f64 {
-        self.ask(|shape| shape.distance(place))
-    }
-
-    /// The centre and the radius of a ball at rest that holds the shape.
-    #[must_use]
-    pub fn ball_around(&self) -> ([f64; 3], f64) {
-        self.ask(|shape| shape.ball_around())
-    }
-
-    /// The point with the largest x, at rest; any of them where there are several.
-    #[must_use]
-    pub fn forward_most(&self) -> DVec3 {
-        self.ask(|shape| shape.forward_most())
-    }
-
-    /// Places at rest: along the middle lines of what is slender, tubes and rings; on balls where they end
-    /// along the axes; the corners, middles of edges and middles of faces of boxes; around both ends of
-    /// cylinders.
-    #[must_use]
-    pub fn samples(&self) -> Vec<DVec3> {
-        self.ask(|shape| shape.samples())
-    }
-
-    /// The middles of both ends at rest, of what has ends.
-    #[must_use]
-    pub fn ends(&self) -> Option<[[f64; 3]; 2]> {
-        self.ask(|shape| shape.ends())
-    }
-
-    /// The strokes that it is drawn with, whoever looks; none of a ball, which is drawn with its
-    /// [`Self::silhouette`].
-    #[must_use]
-    pub fn strokes(&self) -> Vec<Stroke> {
-        self.ask(|shape| shape.strokes())
-    }
-
     /// Returns the line along which the onlooker's lines of sight touch the shape; `onlooker_at` gives the
     /// onlooker for the shape's middle. `None` for shapes that are drawn with strokes; these do not call
     /// `onlooker_at`.
@@ -237,40 +180,59 @@ impl Shape {
     pub fn silhouette(&self, onlooker_at: impl Fn(DVec3) -> Onlooker) -> Option<Path> {
         self.ask(|shape| shape.silhouette(&onlooker_at))
     }
+}
 
+/// Defines questions to a shape that its file answers.
+macro_rules! questions {
+    ($($(#[$doc:meta])* $visibility:vis fn $name:ident($($about:ident: $type:ty)?) -> $answer:ty;)*) => {
+        impl Shape {$(
+            $(#[$doc])*
+            #[must_use]
+            $visibility fn $name(&self $(, $about: $type)?) -> $answer {
+                self.ask(|shape| shape.$name($($about)?))
+            }
+        )*}
+    };
+}
+
+questions! {
+    /// The name in scene files.
+    pub fn name() -> &'static str;
+    /// The numbers in the order of the scene format; of a box half its size, and its turn as a quaternion.
+    pub fn numbers() -> Vec<f64>;
+    /// Whether it stays as it is while it turns: a body of revolution about the axle of `spin`.
+    pub fn is_round_about(spin: &Spin) -> bool;
+    /// The distance of `place` at rest from the surface; below 0 inside.
+    pub fn distance(place: DVec3) -> f64;
+    /// The centre and the radius of a ball at rest that holds the shape.
+    pub fn ball_around() -> ([f64; 3], f64);
+    /// The point with the largest x, at rest; any of them where there are several.
+    pub fn forward_most() -> DVec3;
+    /// Places at rest: along the middle lines of what is slender, tubes and rings; on balls where they end
+    /// along the axes; the corners, middles of edges and middles of faces of boxes; around both ends of
+    /// cylinders.
+    pub fn samples() -> Vec<DVec3>;
+    /// The middles of both ends at rest, of what has ends.
+    pub fn ends() -> Option<[[f64; 3]; 2]>;
+    /// The strokes that it is drawn with, whoever looks; none of a ball, which is drawn with its
+    /// [`Self::silhouette`].
+    pub fn strokes() -> Vec<Stroke>;
     /// The turn from its own axes to those of the rest frame.
     ///
     /// The own z axis of a tube and of a cylinder (from `from` to `to`) and of a ring is its axis, reached by
     /// the shortest turn, which fixes the other two; to -z it is half a turn about x. A ball has the axes of
     /// the rest frame; a box says how it is turned.
-    pub(crate) fn turn(&self) -> DQuat {
-        self.ask(|shape| shape.turn())
-    }
-
+    pub(crate) fn turn() -> DQuat;
     /// The kind of the shape in the shaders.
-    pub(crate) fn kind(&self) -> Kind {
-        self.ask(|shape| shape.kind())
-    }
-
+    pub(crate) fn kind() -> Kind;
     /// Capsules that contain it; none for a box.
-    pub(crate) fn capsules(&self) -> Vec<Capsule> {
-        self.ask(|shape| shape.capsules())
-    }
-
+    pub(crate) fn capsules() -> Vec<Capsule>;
     /// The block that contains it, if its bounds are better worked out from that than from capsules.
-    pub(crate) fn block(&self) -> Option<Block> {
-        self.ask(|shape| shape.block())
-    }
-
+    pub(crate) fn block() -> Option<Block>;
     /// The lowest place and the shadow there, of a wheel that does not lie flat, a ball or a box.
-    pub(crate) fn foot(&self) -> Option<Foot> {
-        self.ask(|shape| shape.foot())
-    }
-
+    pub(crate) fn foot() -> Option<Foot>;
     /// Returns the shape's numbers for the shaders.
-    pub(crate) fn packed(&self) -> PackedShape {
-        self.ask(|shape| shape.packed())
-    }
+    pub(crate) fn packed() -> PackedShape;
 }
 
 impl PreparedShape {
