@@ -5,7 +5,7 @@ use serde::{Deserialize as _, Deserializer, Serializer};
 
 use super::all::Settings;
 
-/// The text of all settings.
+/// The text of all settings, which may be in a box.
 pub mod all {
     use super::{Deserializer, Serializer, Settings};
 
@@ -15,23 +15,8 @@ pub mod all {
     }
 
     /// Reads the settings from their text.
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Settings, D::Error> {
-        super::read(deserializer)
-    }
-}
-
-/// The text of all settings, which are in a box.
-pub mod boxed {
-    use super::{Deserializer, Serializer, Settings};
-
-    /// Writes the text of the settings.
-    pub fn serialize<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
-        super::all::serialize(settings, serializer)
-    }
-
-    /// Reads the settings from their text.
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Box<Settings>, D::Error> {
-        super::read(deserializer).map(Box::new)
+    pub fn deserialize<'de, D: Deserializer<'de>, T: From<Settings>>(deserializer: D) -> Result<T, D::Error> {
+        super::read(deserializer).map(T::from)
     }
 }
 

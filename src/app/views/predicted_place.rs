@@ -1,13 +1,12 @@
 //! The place in the views where somebody expects a body to be seen; after the reveal that where it is, too.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align2, Color32, Painter, Pos2, Rect, Sense, Stroke, TextStyle, Ui, Vec2, WidgetInfo, vec2,
-};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Sense, Stroke, TextStyle, Ui, Vec2, WidgetInfo, vec2};
 use relativity_render::Gaze;
 
 use crate::app::state::State;
 use crate::app::views::panes::EyePane;
+use crate::app::widgets::label_below;
 use crate::eye::Eye;
 use crate::lesson::{Answer, AnswerKind, Course, PointAt, truth};
 use crate::number_text;
@@ -103,16 +102,7 @@ fn draw_label(ui: &Ui, painter: &Painter, [cross, ring]: [Pos2; 2], pane: EyePan
     let mut parts = (1..=LOOKS).rev().map(|part| ring + f32::from(part) / f32::from(LOOKS) * (cross - ring));
     let end = parts.find(|end| pane.rect.contains(*end)).unwrap_or(ring);
     let middle = ring + 0.5 * (end - ring) + vec2(0.0, RING + 6.0);
-    let inside = pane.rect.shrink(8.0);
-    let size = galley.size();
-    let place = Align2::CENTER_TOP.anchor_size(middle, size);
-    let corner = place.min.clamp(inside.min, (inside.max - size).max(inside.min));
-    painter.rect_filled(
-        Rect::from_min_size(corner, size).expand2(vec2(4.0, 1.0)),
-        3.0,
-        Color32::from_black_alpha(170),
-    );
-    painter.galley(corner, galley, Color32::WHITE);
+    label_below(painter, middle, galley, pane.rect.shrink(8.0));
 }
 
 /// Names what is marked at a place for assistive technology.

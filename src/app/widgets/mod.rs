@@ -13,13 +13,14 @@ pub(in crate::app) mod theme;
 pub(in crate::app) mod wavelength_colour;
 
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 use clap::ValueEnum;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{
-    self, Align, Align2, Button, Color32, Context, DragValue, Id, Layout, PointerButton, Rect, Response,
-    RichText, Sense, Slider, SliderClamping, TextEdit, TextStyle, TextWrapMode, Ui, UiBuilder, Vec2,
-    emath::Numeric, pos2, vec2,
+    self, Align, Align2, Button, Color32, Context, DragValue, Galley, Id, Layout, Painter, PointerButton,
+    Pos2, Rect, Response, RichText, Sense, Slider, SliderClamping, TextEdit, TextStyle, TextWrapMode, Ui,
+    UiBuilder, Vec2, emath::Numeric, pos2, vec2,
 };
 use relativity_core::math;
 
@@ -346,6 +347,16 @@ pub fn name_window(ctx: &egui::Context, name: &str) {
 /// Text with a `name` of its own for assistive technology.
 pub fn named_text(ui: &mut Ui, text: impl Into<egui::WidgetText>, name: impl Into<String>) -> Response {
     ui.add(egui::Label::new(text).sense(Sense::hover())).accessible_name(name)
+}
+
+/// Writes `text` on a dark ground below `top`, or as near to there as is inside of a picture's `room`.
+pub fn label_below(painter: &Painter, top: Pos2, text: Arc<Galley>, room: Rect) {
+    let size = text.size();
+    let corner = Align2::CENTER_TOP.anchor_size(top, size).min;
+    let corner = corner.clamp(room.min, (room.max - size).max(room.min));
+    let ground = Rect::from_min_size(corner, size).expand2(vec2(4.0, 1.0));
+    painter.rect_filled(ground, 3.0, Color32::from_black_alpha(170));
+    painter.galley(corner, text, Color32::WHITE);
 }
 
 /// Names the picture in `rect`.

@@ -71,7 +71,8 @@ pub fn run(args: &LessonArgs) -> anyhow::Result<()> {
         ensure_ending(flag, path, "html")?;
     }
     let library = Library::new(args.lessons.as_deref())?;
-    let lesson = library.open(&args.name)?.worked_out()?;
+    let opened = library.open(&args.name)?;
+    let lesson = opened.worked_out()?;
     // All are made before one is written.
     let progress = progress::bar((sheets.len() * lesson.steps.len()) as u64, "steps");
     let page = |sheet| worksheet::page(&lesson, sheet, || progress.inc(1));
@@ -82,8 +83,7 @@ pub fn run(args: &LessonArgs) -> anyhow::Result<()> {
         for file in &args.from {
             collected.add_file(file)?;
         }
-        let lesson = library.open(&args.name)?;
-        pages.push((path, class::page(&[&lesson], &collected, || {})?));
+        pages.push((path, class::page(&[&opened], &collected, || {})?));
         for unread in &collected.unread {
             messages::remark(format_args!("gamow: {unread}"));
         }

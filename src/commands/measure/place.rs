@@ -44,13 +44,10 @@ impl TargetMask {
         let mut squares = [0.0; 2];
         for [column, row] in self.pixels() {
             let (across, down) = (column as f64 - at[0], row as f64 - at[1]);
-            let (left, right) = (column.checked_sub(1), column + 1);
-            let (above, below) = (row.checked_sub(1), row + 1);
-            for (neighbour, offset) in [(left, across), (Some(right), across + 1.0)] {
-                squares[0] += if self.is_shown(neighbour, Some(row)) { 0.0 } else { offset * offset };
-            }
-            for (neighbour, offset) in [(above, down), (Some(below), down + 1.0)] {
-                squares[1] += if self.is_shown(Some(column), neighbour) { 0.0 } else { offset * offset };
+            let offsets = [across, across + 1.0, down, down + 1.0];
+            for (side, beside) in self.beside([column, row]).into_iter().enumerate() {
+                let is_shown = beside.is_some_and(|beside| self.shows[beside]);
+                squares[side / 2] += if is_shown { 0.0 } else { offsets[side] * offsets[side] };
             }
         }
         Some(PixelPlace { at, sigma: squares.map(|sum| ROUNDING * sum.sqrt() / count) })
@@ -59,20 +56,13 @@ impl TargetMask {
     /// Returns the share of the outline beside which something hides more of the target: pixels that are
     /// `nearer` than the target's beside them, these after those, or the end of the picture.
     pub fn hidden_share(&self, nearer: impl Fn(usize, usize) -> bool) -> f64 {
-        let (width, height) = (self.width, self.shows.len() / self.width);
         let (mut hidden, mut all) = (0_u32, 0_u32);
         for [column, row] in self.pixels() {
-            let beside = [
-                (column > 0).then(|| [column - 1, row]),
-                (column + 1 < width).then(|| [column + 1, row]),
-                (row > 0).then(|| [column, row - 1]),
-                (row + 1 < height).then(|| [column, row + 1]),
-            ];
-            for beside in beside {
-                let pixel = beside.map(|[column, row]| row * width + column);
-                if pixel.is_none_or(|pixel| !self.shows[pixel]) {
+            let own = row * self.width + column;
+            for beside in self.beside([column, row]) {
+                if beside.is_none_or(|beside| !self.shows[beside]) {
                     all += 1;
-                    hidden += u32::from(pixel.is_none_or(|pixel| nearer(pixel, row * width + column)));
+                    hidden += u32::from(beside.is_none_or(|beside| nearer(beside, own)));
                 }
             }
         }
@@ -109,9 +99,16 @@ impl TargetMask {
         shown.map(|(pixel, _)| [pixel % self.width, pixel / self.width])
     }
 
-    fn is_shown(&self, column: Option<usize>, row: Option<usize>) -> bool {
-        let (Some(column), Some(row)) = (column, row) else { return false };
-        column < self.width && self.shows.get(row * self.width + column) == Some(&true)
+    /// Returns the pixels to the left, to the right, above and below; `None` beyond the picture's end.
+    fn beside(&self, [column, row]: [usize; 2]) -> [Option<usize>; 4] {
+        let (width, height) = (self.width, self.shows.len() / self.width);
+        let own = row * width + column;
+        [
+            (column > 0).then(|| own - 1),
+            (column + 1 < width).then_some(own + 1),
+            (row > 0).then(|| own - width),
+            (row + 1 < height).then_some(own + width),
+        ]
     }
 
     /// Pixels that touch `pixel`, and itself.

@@ -50,13 +50,7 @@ pub enum SaveJob {
     /// The scene in which the model in the first file rides.
     Scene(PathBuf, PathBuf),
     /// Report of a lesson, whose states build on these settings; with a fit, and the name of the pupil.
-    Report(
-        Box<Course>,
-        #[serde(with = "message::boxed")] Box<Settings>,
-        Option<Box<FitKey>>,
-        String,
-        PathBuf,
-    ),
+    Report(Box<Course>, #[serde(with = "message::all")] Box<Settings>, Option<Box<FitKey>>, String, PathBuf),
     /// The class's page of these lessons, with the answers in the links of a text.
     Class(Vec<Lesson>, String, PathBuf),
     /// A sheet of a lesson, to print.

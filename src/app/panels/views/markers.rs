@@ -1,6 +1,6 @@
 //! Markers at the places where an eye sees the followed points, and their clocks.
 
-use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, TextStyle, Ui, Vec2, vec2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, TextStyle, Ui, Vec2, vec2};
 use relativity_render::{Motion, PreparedScene, View};
 
 use crate::app::state::State;
@@ -8,7 +8,7 @@ use crate::app::state::points::Point;
 use crate::app::views::dial::{self, DialPlacement};
 use crate::app::views::layouts;
 use crate::app::views::panes::EyePane;
-use crate::app::widgets::theme;
+use crate::app::widgets::{label_below, theme};
 use crate::eye::Eye;
 use crate::flags::choices::Form;
 
@@ -120,16 +120,7 @@ fn distance(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, point: &Po
     let away = state.measures().length.text(seen.distance, DISTANCE_DECIMALS);
     let text = format!("seen {away} away");
     let galley = painter.layout_no_wrap(text, TextStyle::Body.resolve(ui.style()), Color32::WHITE);
-    let inside = pane.rect.shrink(6.0);
-    let size = galley.size();
-    let corner = Align2::CENTER_TOP.anchor_size(place + vec2(0.0, BELOW_MARKER), size).min;
-    let corner = corner.clamp(inside.min, (inside.max - size).max(inside.min));
-    painter.rect_filled(
-        Rect::from_min_size(corner, size).expand2(vec2(4.0, 1.0)),
-        3.0,
-        Color32::from_black_alpha(170),
-    );
-    painter.galley(corner, galley, Color32::WHITE);
+    label_below(painter, place + vec2(0.0, BELOW_MARKER), galley, pane.rect.shrink(6.0));
 }
 
 /// Decimals of the distance of a marked point in the scene's unit, and how far below it that is written.

@@ -110,8 +110,11 @@ pub(crate) trait CentredShape {
     /// Outward unit normal at a `position` on the surface.
     fn normal(&self, position: DVec3) -> DVec3;
 
-    /// Half its least width, seen along the unit vector `direction` from afar.
-    fn half_width(&self, direction: DVec3) -> f64;
+    /// Half its least width, seen along the unit vector `direction` from afar: of what is round the same from
+    /// everywhere.
+    fn half_width(&self, _direction: DVec3) -> f64 {
+        self.parallels_radius()
+    }
 
     /// Radius of a ball that holds it.
     fn bounding_radius(&self) -> f64;

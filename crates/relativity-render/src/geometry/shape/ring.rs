@@ -204,10 +204,6 @@ impl CentredShape for RingForm {
         (position - self.nearest_on_circle(position)).normalize()
     }
 
-    fn half_width(&self, _: DVec3) -> f64 {
-        self.tube_radius
-    }
-
     fn bounding_radius(&self) -> f64 {
         self.radius + self.tube_radius
     }

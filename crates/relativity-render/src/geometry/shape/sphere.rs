@@ -111,10 +111,6 @@ impl CentredShape for SphereForm {
         position.normalize()
     }
 
-    fn half_width(&self, _: DVec3) -> f64 {
-        self.radius
-    }
-
     fn bounding_radius(&self) -> f64 {
         self.radius
     }

@@ -121,10 +121,6 @@ impl CentredShape for TubeForm {
         (position - self.nearest_on_axis(position)).normalize()
     }
 
-    fn half_width(&self, _: DVec3) -> f64 {
-        self.radius
-    }
-
     fn bounding_radius(&self) -> f64 {
         self.half_length + self.radius
     }

@@ -87,7 +87,7 @@ pub enum Contents {
 /// A scene and the settings that a file leads to.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Shown {
-    #[serde(with = "message::boxed")]
+    #[serde(with = "message::all")]
     settings: Box<Settings>,
     scene: Scene,
     is_scene: bool,
