@@ -1,46 +1,24 @@
 //! The scenes that are compiled in.
 
-/// Names of the presets; the first is the default.
-pub const PRESETS: [&str; 16] = [
-    "street",
-    "cyclist",
-    "cube",
-    "globe",
-    "train",
-    "wheel",
-    "rods",
-    "twins",
-    "lattice",
-    "two-balls",
-    "post-office",
-    "tunnel",
-    "tram",
-    "mr-tompkins",
-    "town",
-    "town-cyclist",
-];
+/// Defines the names of the presets and their files.
+macro_rules! presets {
+    ($($name:literal),+) => {
+        /// Names of the presets; the first is the default.
+        pub const PRESETS: [&str; [$($name),+].len()] = [$($name),+];
 
-/// The scene file of a preset.
-pub(super) fn text(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "cyclist" => include_str!("../../assets/scenes/cyclist.toml"),
-        "street" => include_str!("../../assets/scenes/street.toml"),
-        "cube" => include_str!("../../assets/scenes/cube.toml"),
-        "globe" => include_str!("../../assets/scenes/globe.toml"),
-        "train" => include_str!("../../assets/scenes/train.toml"),
-        "wheel" => include_str!("../../assets/scenes/wheel.toml"),
-        "rods" => include_str!("../../assets/scenes/rods.toml"),
-        "twins" => include_str!("../../assets/scenes/twins.toml"),
-        "two-balls" => include_str!("../../assets/scenes/two-balls.toml"),
-        "lattice" => include_str!("../../assets/scenes/lattice.toml"),
-        "post-office" => include_str!("../../assets/scenes/post-office.toml"),
-        "tunnel" => include_str!("../../assets/scenes/tunnel.toml"),
-        "tram" => include_str!("../../assets/scenes/tram.toml"),
-        "mr-tompkins" => include_str!("../../assets/scenes/mr-tompkins.toml"),
-        "town" => include_str!("../../assets/scenes/town.toml"),
-        "town-cyclist" => include_str!("../../assets/scenes/town-cyclist.toml"),
-        _ => return None,
-    })
+        /// The scene file of a preset.
+        pub(super) fn text(name: &str) -> Option<&'static str> {
+            match name {
+                $($name => Some(include_str!(concat!("../../assets/scenes/", $name, ".toml"))),)+
+                _ => None,
+            }
+        }
+    };
+}
+
+presets! {
+    "street", "cyclist", "cube", "globe", "train", "wheel", "rods", "twins", "lattice", "two-balls",
+    "post-office", "tunnel", "tram", "mr-tompkins", "town", "town-cyclist"
 }
 
 /// The file of a model in a preset.

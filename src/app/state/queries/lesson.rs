@@ -25,24 +25,9 @@ impl State {
     pub fn lesson_base(&self) -> Settings {
         let now = self.document.settings.window;
         let before = self.session.lesson.as_ref().map_or(now, |running| running.before);
-        let window = WindowSettings {
-            views: before.views,
-            corrected: before.corrected,
-            spectrum: before.spectrum,
-            sentence: before.sentence,
-            map: before.map,
-            plots: before.plots,
-            controls: before.controls,
-            simple: before.simple,
-            readout: before.readout,
-            dials: before.dials,
-            resting_clock: before.resting_clock,
-            distances: before.distances,
-            ruler: before.ruler,
-            resting: before.resting,
-            vignette: before.vignette,
-            ..now
-        };
+        let WindowSettings { side_share, strip_share, map_share, animations, units, theme, .. } = now;
+        let window =
+            WindowSettings { side_share, strip_share, map_share, animations, units, theme, ..before };
         let base = Settings::default().in_place_of(&self.document.settings);
         let layout = self.session.lesson.as_ref().map_or(base.picture.layout, |running| running.layout);
         Settings { window, picture: PictureSettings { layout, ..base.picture }, ..base }
