@@ -1,12 +1,14 @@
-// The rectangle that surely contains a body in the picture, of one that is small there: the vertex stage finds
-// it as `picture/footprint.rs` explains.
+// The rectangle that surely contains a body in the picture, for bodies that are small there: the vertex stage
+// finds it as `picture/footprint/mod.rs` explains.
 
 // Room around an outline, px: that of footprints from the processor, and what f32 loses.
 const MARGIN = 2.0;
-// In front is what lies deeper than this many radii, and what reaches this much of the way to the baseline
-// bounds nothing.
+// In front is what lies deeper than this many radii.
 const CLEAR_OF_APERTURE = 1.001;
+// Balls that reach this much of the way to the baseline bound nothing; and at less than this part of the way
+// to the camera from the baseline f32 loses the place.
 const MOST_NEAR = 0.8;
+const LEAST_OFF = 1e-4;
 
 // An upright rectangle, clip coordinates.
 struct Rectangle {
@@ -27,32 +29,36 @@ fn footprint(body: Body) -> Rectangle {
     let first = apparent_centre(beginning, capsule.radius);
     let last = apparent_centre(end, capsule.radius);
     let moved = vec3f(bulge(beginning, end, capsule.radius), 0.0, 0.0);
+    let reach = capsule.radius + 0.5 * length(last - first) + moved.x;
+    if is_aside(motion_from_sight(0.5 * (first + last)), reach) {
+        return NOWHERE;
+    }
     let balls = array<vec3f, 4>(first, last, first + moved, last + moved);
     let forward = motion_from_sight(frame.forward.xyz);
-    let reach = capsule.radius * sqrt(metric(forward, forward));
+    let least_depth = CLEAR_OF_APERTURE * capsule.radius * sqrt(metric(forward, forward));
     var around_all = Rectangle(vec2f(1e30), vec2f(-1e30));
-    var behind = 0;
     for (var i = 0; i < 4; i++) {
         let ball = motion_from_sight(balls[i]);
         let depth = dot(ball, frame.forward.xyz);
-        if depth < -reach {
-            behind++;
-        } else if depth > CLEAR_OF_APERTURE * reach {
-            let x = extent(ball, depth, frame.clip_right.xyz, capsule.radius);
-            let y = extent(ball, depth, frame.clip_up.xyz, capsule.radius);
-            around_all.low = min(around_all.low, vec2f(x.x, y.x));
-            around_all.high = max(around_all.high, vec2f(x.y, y.y));
-        } else {
+        if !(depth > least_depth) {
             return EVERYWHERE;
         }
-    }
-    if behind == 4 {
-        return NOWHERE;
-    }
-    if behind > 0 {
-        return EVERYWHERE;
+        let x = extent(ball, depth, frame.clip_right.xyz, capsule.radius);
+        let y = extent(ball, depth, frame.clip_up.xyz, capsule.radius);
+        around_all.low = min(around_all.low, vec2f(x.x, y.x));
+        around_all.high = max(around_all.high, vec2f(x.y, y.y));
     }
     return with_room(around_all, MARGIN * frame.base.w);
+}
+
+// Whether a ball is surely beside or behind the cone about the optical axis that a flat picture is in.
+fn is_aside(centre: vec3f, radius: f32) -> bool {
+    let depth = dot(centre, frame.forward.xyz);
+    let off = length(cross(centre, frame.forward.xyz));
+    // In a sheared picture the axis is not in the middle.
+    let shift = abs(dot(frame.clip_right.xyz, frame.forward.xyz));
+    let corner = length(vec2f((1.0 + shift) / frame.clip_right.w, 1.0 / frame.clip_up.w)) + MARGIN * frame.base.w;
+    return off - depth * corner > radius * sqrt(1.0 + corner * corner);
 }
 
 // A place from the middle of the group as it is from the camera's event, in axes along the motion.
@@ -112,7 +118,7 @@ fn conformal_footprint(c: vec3f, radius: f32) -> Rectangle {
     let position = motion_from_sight(apparent_centre(c, radius));
     let from_baseline = length(vec2f(dot(position, frame.forward.xyz), dot(position, frame.clip_up.xyz)));
     let near = radius / max(from_baseline, 1e-30);
-    if !(near < MOST_NEAR) {
+    if !(near < MOST_NEAR && from_baseline > LEAST_OFF * length(position)) {
         return EVERYWHERE;
     }
     let seen = coordinates_of(position);

@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use glam::DVec3;
 use relativity_core::{Aperture, ObserverVelocity, Speed, Turning};
 use relativity_render::{
     Appearance, Body, Camera, Colour, Emission, Gaze, Geometry, Group, HitImage, Method, Motion, Pattern,
@@ -22,6 +23,7 @@ pub const TESTS: &[Test] = &[
     ("rides_are_the_references", rides_are_the_references),
     ("hoops_are_seen_from_within", hoops_are_seen_from_within),
     ("edges_are_the_references_on_average", edges_are_the_references_on_average),
+    ("small_bodies_are_seen_behind_thin_ones", small_bodies_are_seen_behind_thin_ones),
     ("long_bodies_narrow_into_the_distance", long_bodies_narrow_into_the_distance),
     ("every_speed_gives_a_picture", every_speed_gives_a_picture),
 ];
@@ -248,10 +250,32 @@ fn edges_are_the_references_on_average(renderers: &mut Renderers) {
             light(&renderers.picture(method, &scene, &fast(), &appearance, 4).expect("device works"))
         });
         for found in [rays, packets] {
-            println!("{found} for {expected}");
             assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
         }
     }
+}
+
+/// Threads thinner than a pixel, each before a small ball, and drawn before it if both are drawn together:
+/// what the threads leave free shows the balls.
+fn small_bodies_are_seen_behind_thin_ones(renderers: &mut Renderers) {
+    let place = |i: u32| DVec3::new(0.04 * f64::from(i % 50) - 1.0, 4.0, 0.04 * f64::from(i / 50) - 0.6);
+    let ball = |i| Body::white(Shape::Sphere { centre: place(i).to_array(), radius: 0.018 });
+    let thread = |i: u32| {
+        let [from, to] = [-0.008, 0.008].map(|x| (0.7 * place(i) + DVec3::new(x, 0.0, 0.0)).to_array());
+        Body::white(Shape::Tube { from, to, radius: 0.001 })
+    };
+    let bodies: Vec<_> = (0..1500).map(thread).chain((0..1500).map(ball)).collect();
+    let scene = PreparedScene::moving(&bodies);
+    let look = Appearance { shading: Shading::Emission, sky: false, ..Appearance::default() };
+    let camera = Camera::new(Aperture::default(), Gaze::along([0.0, 1.0, 0.0]), 0.4, [160, 96]);
+    let view = View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen };
+    let mut squares = |method, rays| {
+        light_in_squares(&renderers.picture(method, &scene, &view, &look, rays).expect("device works"))
+    };
+    let truth = squares(Method::Packets, 1);
+    let drawn = squares(Method::Rays, 1);
+    let off = truth.iter().zip(&drawn).map(|(truth, drawn)| (truth - drawn).abs()).fold(0.0, f64::max);
+    assert!(off < LIGHT_OFF, "{off} pixels' light is off");
 }
 
 /// Side of the squares in which light is summed, px; and the most light by which they may differ, in pixels

@@ -4,7 +4,7 @@
 //! A driver puts off most of the making until a pipeline first draws (a software one four fifths of it), so
 //! each draws once, next to nothing.
 
-use super::buffers::vertex_buffer;
+use super::buffers::fill_vertex_buffer;
 use super::canvas::{Canvas, last_passes};
 use super::device::Gpu;
 use super::drawing::Trait;
@@ -21,8 +21,8 @@ use crate::view::{Appearance, View};
 
 /// Side of the picture in which pipelines draw once, pixels.
 const SIDE: u32 = 16;
-/// Bytes that three corners or instances of any technique have room in.
-const CORNERS: u64 = 1024;
+/// Numbers that three corners or instances of any technique have room in.
+const CORNERS: usize = 256;
 
 /// A pipeline that a picture needs.
 #[derive(Debug, Clone, Copy)]
@@ -88,7 +88,8 @@ impl PipelineMaker {
     #[must_use]
     pub fn new(gpu: &Gpu) -> Self {
         let mut target = EyeTarget::new(gpu, [SIDE; 2]);
-        target.vertices = vertex_buffer(gpu, CORNERS);
+        // Corners in one place, and rectangles whose sides have one direction: they cover nothing.
+        fill_vertex_buffer(gpu, &mut target.vertices, &[1.0_f32; CORNERS]);
         Self { canvas: Canvas::new(gpu), target, gpu: gpu.clone() }
     }
 

@@ -1,7 +1,7 @@
 //! A scene: its bodies with their patterns and wheels, prepared once for every view, and how rays enter them.
 
-pub(crate) mod blocks;
 pub(crate) mod body;
+pub(crate) mod clusters;
 pub(crate) mod first_entry;
 pub(crate) mod one_cone;
 pub(crate) mod pattern;

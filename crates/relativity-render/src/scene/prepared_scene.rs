@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::slice;
 use std::sync::Arc;
 
-use super::blocks::{Block, Blocks};
 use super::body::{Body, Emission};
+use super::clusters::Clusters;
 use super::prepared_body::{PreparedBody, find_joints, find_patterned, find_repeated, number_emissions};
 use super::standing::StandingBodies;
 use super::wheel::solid::TurningSolid;
@@ -236,15 +236,23 @@ impl PreparedScene {
         self.0.standing[group].seen_from(view.origin)
     }
 
-    /// The bodies of the group of this number that keep their places in it, in blocks.
-    pub(crate) fn blocks(&self, group: usize) -> &Blocks {
+    /// The bodies of the group of this number that keep their places in it, in clusters.
+    pub(crate) fn clusters(&self, group: usize) -> &Clusters {
         let standing = &self.0.standing[group];
-        standing.blocks.get_or_init(|| Blocks::new(self, &self.groups()[group].extent, standing))
+        standing.clusters.get_or_init(|| Clusters::new(self, &self.groups()[group].extent, standing))
     }
 
-    /// Those blocks of the group of this number that its `view` may show wherever it looks.
-    pub(crate) fn seen_blocks(&self, group: usize, view: &GroupView) -> impl Iterator<Item = &Block> {
-        self.blocks(group).seen(self.0.standing[group].is_in_a_ball(view.origin))
+    /// Puts the numbers of those clusters of the group of this number into `out`, in order, that its `view` may
+    /// show along a `beam`, or without one wherever it looks.
+    pub(crate) fn find_clusters(
+        &self,
+        group: usize,
+        view: &GroupView,
+        beam: Option<&Beam>,
+        out: &mut Vec<u32>,
+    ) {
+        let is_in_a_ball = self.0.standing[group].is_in_a_ball(view.origin);
+        self.clusters(group).find(beam, is_in_a_ball, out);
     }
 
     /// Returns the beam of rays within `cap` as `view` has them in the group of this number; `None` where

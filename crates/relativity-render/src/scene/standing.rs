@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use glam::DVec3;
 
-use super::blocks::Blocks;
+use super::clusters::Clusters;
 use super::prepared_body::PreparedBody;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::extent::Extent;
@@ -27,8 +27,8 @@ pub(crate) struct StandingBodies {
     all: Hierarchy,
     /// Bodies that no ball hides, if any ball hides others.
     outside: Option<Outside>,
-    /// Blocks of the bodies, once a renderer has asked for them.
-    pub blocks: OnceLock<Blocks>,
+    /// Clusters of the bodies, once a renderer has asked for them.
+    pub clusters: OnceLock<Clusters>,
 }
 
 /// The bodies that are seen from outside of balls.
@@ -65,17 +65,17 @@ impl StandingBodies {
         let outside = (!balls.is_empty())
             .then(|| Hierarchy::new(standing().filter(is_outside).flat_map(boxes), extent.middle));
         let outside = outside.map(|hierarchy| Outside { balls, hierarchy });
-        Self { all, outside, blocks: OnceLock::new() }
+        Self { all, outside, clusters: OnceLock::new() }
     }
 
     /// Returns the numbers of all bodies, and whether a ball hides each from the
     /// eyes outside.
     pub fn numbers(&self) -> impl Iterator<Item = (u32, bool)> {
-        let seen: Option<HashSet<u32>> =
+        let outside: Option<HashSet<u32>> =
             self.outside.as_ref().map(|outside| outside.hierarchy.bodies_by_node().flatten().collect());
-        let mut told = HashSet::new();
-        let each_once = self.all.bodies_by_node().flatten().filter(move |&body| told.insert(body));
-        each_once.map(move |body| (body, seen.as_ref().is_some_and(|seen| !seen.contains(&body))))
+        let mut seen = HashSet::new();
+        let each_once = self.all.bodies_by_node().flatten().filter(move |&body| seen.insert(body));
+        each_once.map(move |body| (body, outside.as_ref().is_some_and(|outside| !outside.contains(&body))))
     }
 
     /// Returns the boxes of what may be seen by an `eye` in the rest frame of the group.

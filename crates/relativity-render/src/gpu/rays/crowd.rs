@@ -1,10 +1,11 @@
 //! Crowds: bodies that the device places by itself, since they are small in the picture.
 //!
-//! The processor decides on a block of them at once, and their data stay on the device from picture to
-//! picture. So a picture costs it a step for each block, in place of a rectangle for each body; the vertex
+//! The processor decides on a cluster of them at once, and their data stay on the device from picture to
+//! picture. So a picture costs it a step for each cluster, in place of a rectangle for each body; the vertex
 //! stage finds the rectangles (`footprint.wgsl`).
 
 use std::collections::BTreeMap;
+use std::mem;
 use std::ops::Range;
 
 use relativity_core::threads::prelude::*;
@@ -15,21 +16,22 @@ use crate::gpu::device::Gpu;
 use crate::gpu::drawing::{Batches, Shot, Trait};
 use crate::picture::footprint::FootprintMap;
 use crate::picture::tiles::Tile;
-use crate::scene::blocks::Block;
+use crate::scene::clusters::Cluster;
 use crate::scene::prepared_scene::PreparedScene;
 use crate::scene::wheel::packed::Turns;
 use crate::view::Appearance;
 use crate::view::effects::Effects;
 use crate::view::group_view::GroupView;
 
-/// The radius, px, up to which a body is small: an upright rectangle around it has little else in it.
+/// The radius, px, up to which a body is small, where the middle of a flat picture shows it: an upright
+/// rectangle around it has little else in it.
 const MOST_PX: f64 = 16.0;
 /// The gamma up to which f32 keeps rectangles within the room around them.
 const MOST_GAMMA: f64 = 1000.0;
 /// Distances that f32 can square and divide by, rest frame.
 const DISTANCES: Range<f64> = 1e-9..1e12;
-/// Bodies of at most this radius may be drawn as thin ones, px: the shader fades what is thin among them.
-const MOST_THIN_PX: f64 = 2.0;
+/// The most bodies that are drawn outside of the picture, so that one draw serves their neighbours.
+const MOST_BRIDGED: u32 = 64;
 
 /// The bodies of a scene that the device may place.
 #[derive(Debug)]
@@ -40,6 +42,8 @@ pub struct Crowd {
     buffer: wgpu::Buffer,
     /// The ranges in the buffer that the picture shows.
     shown: BTreeMap<Trait<()>, Vec<Range<u32>>>,
+    /// The numbers of the clusters in the picture.
+    found: Vec<u32>,
     batches: Batches<Piece, ()>,
 }
 
@@ -52,20 +56,20 @@ struct Held {
     effects: Vec<Option<Effects>>,
 }
 
-/// A decision on a block.
+/// A decision on a cluster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Verdict {
     /// None of it is in the picture.
     Hidden,
     /// The device places its bodies; are they drawn as thin ones?
     Placed { is_thin: bool },
-    /// Each body is to be placed for itself.
-    Near,
+    /// The processor places each of its bodies.
+    OneByOne,
 }
 
-/// The view of one group, for decisions on its blocks.
+/// The view of one group, for decisions on its clusters.
 #[derive(Debug)]
-pub struct BlockView<'a> {
+pub struct ClusterView<'a> {
     view: &'a GroupView,
     projection: &'a FootprintMap,
     /// Radius below which bodies are faded, px: 0 where none is.
@@ -75,7 +79,7 @@ pub struct BlockView<'a> {
 impl Crowd {
     /// None yet, to be drawn by the pipelines of `batches`.
     pub fn new(gpu: &Gpu, batches: Batches<Piece, ()>) -> Self {
-        Self { held: None, buffer: vertex_buffer(gpu, 0), shown: BTreeMap::new(), batches }
+        Self { held: None, buffer: vertex_buffer(gpu, 0), shown: BTreeMap::new(), found: Vec::new(), batches }
     }
 
     /// Shows nothing any more.
@@ -89,40 +93,55 @@ impl Crowd {
         &mut self,
         scene: &PreparedScene,
         group: usize,
-        view: &BlockView<'_>,
+        view: &ClusterView<'_>,
         others: &mut Vec<u32>,
     ) {
         let bodies = scene.groups()[group].bodies.clone();
         others.extend(scene.turning_in(bodies).map(|body| body as u32));
         let picture = Tile { corner: [0, 0], size: view.view.camera.size };
         let beam = scene.beam(group, view.view, &picture.cap(&view.view.camera.lines_of_sight()));
-        let first = (0..group).map(|group| scene.blocks(group).simple_bodies().len()).sum();
-        for block in scene.seen_blocks(group, view.view) {
-            match view.verdict(block) {
+        let mut found = mem::take(&mut self.found);
+        scene.find_clusters(group, view.view, beam.as_ref(), &mut found);
+        let first = (0..group).map(|group| scene.clusters(group).simple_bodies().len()).sum::<usize>();
+        let clusters = scene.clusters(group);
+        // Whether no body since the last shown cluster is drawn otherwise.
+        let mut is_unbroken = false;
+        for &number in &found {
+            let cluster = clusters.cluster(number);
+            match view.verdict(cluster) {
                 Verdict::Hidden => {}
-                Verdict::Placed { is_thin } => self.show(group, first, block, is_thin),
-                Verdict::Near => match &beam {
-                    Some(beam) => block.hierarchy.along(beam, |candidate| {
-                        others.push(candidate.body);
-                        f32::INFINITY
-                    }),
-                    None => others.extend(scene.blocks(group).bodies_of(block)),
-                },
+                Verdict::Placed { is_thin } => {
+                    let (kind, is_patterned) = (cluster.alike.kind, cluster.alike.is_patterned);
+                    let shared =
+                        Trait { is_thin, group, kind, is_patterned, turns: Turns::Not, template: () };
+                    let [start, end] = [cluster.range.start, cluster.range.end].map(|at| (first + at) as u32);
+                    self.show(shared, start..end, is_unbroken);
+                    is_unbroken = true;
+                }
+                Verdict::OneByOne => {
+                    is_unbroken = false;
+                    match &beam {
+                        Some(beam) => cluster.hierarchy.along(beam, |candidate| {
+                            others.push(candidate.body);
+                            f32::INFINITY
+                        }),
+                        None => others.extend(clusters.bodies_of(cluster)),
+                    }
+                }
             }
         }
+        self.found = found;
         others.sort_unstable();
         others.dedup();
     }
 
-    /// Shows a block of the group of this number, whose simple bodies begin at `first` in the buffer.
-    fn show(&mut self, group: usize, first: usize, block: &Block, is_thin: bool) {
-        let (kind, is_patterned) = (block.alike.kind, block.alike.is_patterned);
-        let shared = Trait { is_thin, group, kind, is_patterned, turns: Turns::Not, template: () };
+    /// Shows the bodies in a `range` of the buffer, if it may with those between them and the last.
+    fn show(&mut self, shared: Trait<()>, range: Range<u32>, may_bridge: bool) {
         let ranges = self.shown.entry(shared).or_default();
-        let [start, end] = [block.range.start, block.range.end].map(|place| (first + place) as u32);
+        let most = if may_bridge { MOST_BRIDGED } else { 0 };
         match ranges.last_mut() {
-            Some(last) if last.end == start => last.end = end,
-            _ => ranges.push(start..end),
+            Some(last) if last.end <= range.start && range.start - last.end <= most => last.end = range.end,
+            _ => ranges.push(range),
         }
     }
 
@@ -137,7 +156,7 @@ impl Crowd {
             return;
         }
         let groups = 0..shot.scene.groups().len();
-        let bodies = groups.flat_map(|group| shot.scene.blocks(group).simple_bodies());
+        let bodies = groups.flat_map(|group| shot.scene.clusters(group).simple_bodies());
         let bodies: Vec<_> = bodies.map(|&number| &shot.scene.bodies()[number as usize]).collect();
         let pieces: Vec<_> = bodies.par_iter().map(|body| Piece::new(body, shot)).collect();
         fill_vertex_buffer(gpu, &mut self.buffer, &pieces);
@@ -167,33 +186,30 @@ impl Held {
     }
 }
 
-impl<'a> BlockView<'a> {
+impl<'a> ClusterView<'a> {
     pub const fn new(view: &'a GroupView, projection: &'a FootprintMap, thin_px: f64) -> Self {
         Self { view, projection, thin_px }
     }
 
-    /// Decides on `block`.
-    fn verdict(&self, block: &Block) -> Verdict {
-        let middle = self.view.along_motion_from_camera(block.ball.from);
-        if self.projection.hides(middle, block.ball.radius) {
+    /// Decides on `cluster`.
+    fn verdict(&self, cluster: &Cluster) -> Verdict {
+        let middle = self.view.along_motion_from_camera(cluster.ball.from);
+        if self.projection.hides(middle, cluster.ball.radius) {
             return Verdict::Hidden;
         }
         let is_in_reach = self.view.velocity.speed.gamma() <= MOST_GAMMA
-            && DISTANCES.contains(&(middle.length() - block.ball.radius))
-            && block.are_simple();
-        let lengths = self.projection.lengths_of_a_pixel(middle, block.ball.radius);
+            && DISTANCES.contains(&(middle.length() - cluster.ball.radius))
+            && cluster.are_simple();
+        let lengths = self.projection.lengths_of_a_pixel(middle, cluster.ball.radius);
         let Some([finest, coarsest]) = lengths.filter(|_| is_in_reach) else {
-            return Verdict::Near;
+            return Verdict::OneByOne;
         };
-        let [thinnest, thickest] = [block.radii[0] / coarsest, block.radii[1] / finest];
-        if block.largest / finest > MOST_PX {
-            Verdict::Near
-        } else if self.thin_px > 0.0 && thickest <= MOST_THIN_PX {
-            Verdict::Placed { is_thin: true }
-        } else if thinnest >= self.thin_px {
-            Verdict::Placed { is_thin: false }
-        } else {
-            Verdict::Near
+        let [thinnest, thickest] = [cluster.radii[0] / coarsest, cluster.radii[1] / finest];
+        match cluster.largest / finest {
+            px if px > MOST_PX => Verdict::OneByOne,
+            _ if thinnest >= self.thin_px => Verdict::Placed { is_thin: false },
+            _ if thickest < self.thin_px => Verdict::Placed { is_thin: true },
+            _ => Verdict::OneByOne,
         }
     }
 }
@@ -203,10 +219,12 @@ mod tests {
     use glam::DVec3;
     use relativity_core::{Aperture, Speed};
 
+    use super::super::pieces::THIN_PX;
     use super::*;
     use crate::camera::{Camera, Gaze, Projection};
     use crate::geometry::shape::Shape;
     use crate::scene::body::Body;
+    use crate::scene::prepared_body::PreparedBody;
     use crate::view::{Geometry, View};
 
     /// Swarms of small tubes around the camera.
@@ -225,8 +243,14 @@ mod tests {
 
     fn views() -> impl Iterator<Item = View> {
         let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::Rest];
-        let projections = [Projection::Gaze, Projection::Mercator { right: DVec3::X, shift: 0.0 }];
-        let speeds = [0.0, 0.5, 0.99].map(|beta| Speed::from_beta(beta).expect("below 1"));
+        let right = DVec3::new(0.96, 0.0, 0.28);
+        let projections = [
+            Projection::Gaze,
+            Projection::Parallel { right, shift: 0.1 },
+            Projection::Mercator { right: DVec3::X, shift: 0.0 },
+            Projection::Mercator { right, shift: 0.1 },
+        ];
+        let speeds = [0.0, 0.5, 0.99, 0.999_999].map(|beta| Speed::from_beta(beta).expect("below 1"));
         let cases = geometries.into_iter().flat_map(move |geometry| speeds.map(|speed| (geometry, speed)));
         cases.flat_map(move |(geometry, speed)| {
             projections.map(|projection| {
@@ -238,43 +262,58 @@ mod tests {
         })
     }
 
-    /// What is told of a block is true of each of its bodies, and the device is left most of those in the
-    /// picture that are small.
+    /// A cluster is as small, as thin and as thick as its verdict says, in each of its bodies, and most of
+    /// those that are small are left to the device.
     #[test]
-    fn blocks_are_as_small_as_is_told() {
+    fn verdicts_hold_for_each_body() {
         let scene = scene();
+        let (mut placed, mut one_by_one) = (0, 0);
         for view in views() {
             let group = &scene.group_views(&view)[0];
             let projection = FootprintMap::new(group);
-            let decide = BlockView::new(group, &projection, 0.75);
-            let (mut placed, mut near) = (0, 0);
-            for block in scene.seen_blocks(0, group) {
-                let bodies = scene.blocks(0).bodies_of(block).iter();
-                let balls = bodies.map(|&body| scene.ball_around(&scene.bodies()[body as usize]));
-                let balls: Vec<_> =
-                    balls.map(|ball| (group.along_motion_from_camera(ball.from), ball.radius)).collect();
-                let verdict = decide.verdict(block);
-                if verdict == Verdict::Hidden {
-                    assert!(balls.iter().all(|&(centre, radius)| projection.hides(centre, radius)));
-                    continue;
-                }
-                let middle = group.along_motion_from_camera(block.ball.from);
-                if let Some([finest, coarsest]) = projection.lengths_of_a_pixel(middle, block.ball.radius) {
-                    for (centre, _) in &balls {
-                        let seen = projection.apparent_centre(*centre, 0.0).expect("it is seen");
-                        let length = match view.camera.mercator() {
-                            Some(mercator) => seen.reject_from(DVec3::X).length() / mercator.px_per_unit,
-                            None => seen.length() / view.camera.focal_length_px(),
+            let decide = ClusterView::new(group, &projection, THIN_PX);
+            let mut found = Vec::new();
+            scene.find_clusters(0, group, None, &mut found);
+            let lengths = |place: DVec3| {
+                let seen = projection.apparent_centre(place, 0.0).expect("it is seen");
+                view.camera.mercator().map_or_else(
+                    || seen.length() / view.camera.focal_length_px(),
+                    |mercator| {
+                        let baseline = group.velocity.motion_from_camera(mercator.axes.right);
+                        seen.reject_from(baseline).length() / mercator.px_per_unit
+                    },
+                )
+            };
+            for number in found {
+                let cluster = scene.clusters(0).cluster(number);
+                let numbers = scene.clusters(0).bodies_of(cluster).iter();
+                let bodies: Vec<_> = numbers.map(|&body| &scene.bodies()[body as usize]).collect();
+                let middle =
+                    |body: &PreparedBody| group.along_motion_from_camera(scene.ball_around(body).from);
+                match decide.verdict(cluster) {
+                    Verdict::Hidden => {
+                        let is_hidden = |body| projection.hides(middle(body), scene.ball_around(body).radius);
+                        assert!(bodies.iter().all(|body| is_hidden(body)), "{view:?}");
+                    }
+                    Verdict::Placed { is_thin } => {
+                        placed += bodies.len();
+                        for body in bodies {
+                            let length = lengths(middle(body));
+                            let reach_px = scene.ball_around(body).radius / length;
+                            let radius_px = f64::from(body.placement.place_radius[3]) / length;
+                            assert!(reach_px <= MOST_PX, "{reach_px} px: {view:?}");
+                            assert!((radius_px < THIN_PX) == is_thin, "{radius_px} px: {view:?}");
+                        }
+                    }
+                    Verdict::OneByOne => {
+                        let is_small = |body: &&PreparedBody| {
+                            scene.ball_around(body).radius / lengths(middle(body)) < 0.5 * MOST_PX
                         };
-                        assert!((finest..=coarsest).contains(&length), "{finest} {length} {coarsest}");
+                        one_by_one += bodies.into_iter().filter(is_small).count();
                     }
                 }
-                match verdict {
-                    Verdict::Near => near += balls.len(),
-                    _ => placed += balls.len(),
-                }
             }
-            assert!(placed > near && placed > 20, "{placed} placed, {near} near: {view:?}");
         }
+        assert!(placed > 3 * one_by_one && placed > 1000, "{placed} placed, {one_by_one} one by one");
     }
 }

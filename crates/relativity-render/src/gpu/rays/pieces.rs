@@ -10,7 +10,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use relativity_core::threads::prelude::*;
 
-use super::crowd::{BlockView, Crowd};
+use super::crowd::{ClusterView, Crowd};
 use crate::geometry::capsule::Capsule;
 use crate::geometry::kind::Kind;
 use crate::gpu::drawing::{Shot, Trait};
@@ -85,7 +85,7 @@ impl Pieces {
         for (number, view) in shot.views.iter().enumerate().filter(|(_, view)| meant(view)) {
             let projection = FootprintMap::new(view);
             self.candidates.clear();
-            let decide = BlockView::new(view, &projection, thin_px);
+            let decide = ClusterView::new(view, &projection, thin_px);
             match bounds {
                 Bounds::Tight => crowd.divide(shot.scene, number, &decide, &mut self.candidates),
                 Bounds::None => {
@@ -221,7 +221,8 @@ impl Piece {
         ],
     };
 
-    /// Returns the piece of `body`, without a rectangle: the vertex stage finds one.
+    /// Returns the piece of `body` without a rectangle, which [`Self::placed`] gives it, or else the vertex
+    /// stage.
     pub fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
         let TurningStart { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
         Self {

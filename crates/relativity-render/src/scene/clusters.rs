@@ -1,4 +1,4 @@
-//! Blocks of bodies: neighbours of one kind and about one size, for renderers that decide on many at once.
+//! Clusters of bodies: neighbours of one kind and about one size, for renderers that decide on many at once.
 
 use std::collections::{BTreeMap, HashSet};
 use std::ops::Range;
@@ -8,23 +8,27 @@ use super::prepared_scene::PreparedScene;
 use super::standing::StandingBodies;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::extent::Extent;
-use crate::geometry::hierarchy::{Hierarchy, pieces};
+use crate::geometry::hierarchy::{Beam, BodyPart, Hierarchy, pieces};
 use crate::geometry::kind::Kind;
 
-/// The bodies of a group that keep their places, in blocks.
+/// The bodies of a group that keep their places, in clusters.
 #[derive(Debug)]
-pub(crate) struct Blocks {
-    all: Vec<Block>,
-    /// The numbers of the bodies, block by block, those that [`Block::are_simple`] before all others.
+pub(crate) struct Clusters {
+    all: Vec<Cluster>,
+    /// Boxes around the clusters.
+    hierarchy: Hierarchy,
+    /// The numbers of the bodies, cluster by cluster, those that [`Cluster::are_simple`] before all others.
     bodies: Vec<u32>,
+    /// Number of the simple ones.
+    simple: usize,
 }
 
 /// Bodies that are near each other, as many as there are boxes in a node of a hierarchy at most.
 #[derive(Debug)]
-pub(crate) struct Block {
+pub(crate) struct Cluster {
     /// Common properties.
     pub alike: Alike,
-    /// Range of the block in the group's list of bodies.
+    /// Range of the cluster in the group's list of bodies.
     pub range: Range<usize>,
     /// A ball around all, rest frame.
     pub ball: Capsule,
@@ -38,7 +42,7 @@ pub(crate) struct Block {
     pub radii: [f64; 2],
 }
 
-/// The common properties of the bodies of a block, in the order of blocks.
+/// The common properties of the bodies of a cluster, in the order of clusters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Alike {
     /// Whether some may turn, are models, or share an end with others, among which the first is to be drawn.
@@ -67,7 +71,7 @@ impl Alike {
     }
 }
 
-impl Blocks {
+impl Clusters {
     /// Takes the `standing` bodies of a group of `scene`, which has this `extent`.
     pub fn new(scene: &PreparedScene, extent: &Extent, standing: &StandingBodies) -> Self {
         let mut by_alike: BTreeMap<Alike, Vec<u32>> = BTreeMap::new();
@@ -76,37 +80,60 @@ impl Blocks {
             let alike = Alike::of(body, scene.ball_around(body), is_inside);
             by_alike.entry(alike).or_default().push(number);
         }
-        let (mut all, mut bodies, mut told) = (Vec::new(), Vec::new(), HashSet::new());
+        let (mut all, mut bodies, mut seen) = (Vec::new(), Vec::new(), HashSet::new());
         for (alike, numbers) in by_alike {
             for neighbours in hierarchy(scene, extent, &numbers).bodies_by_node() {
                 let first = bodies.len();
-                bodies.extend(neighbours.filter(|&body| told.insert(body)));
+                bodies.extend(neighbours.filter(|&body| seen.insert(body)));
+                // Of surfaces that coincide the first body's is seen.
+                bodies[first..].sort_unstable();
                 if first < bodies.len() {
-                    all.push(Block::new(scene, extent, alike, first, &bodies[first..]));
+                    all.push(Cluster::new(scene, extent, alike, first, &bodies[first..]));
                 }
             }
         }
-        Self { all, bodies }
+        let simple = all.iter().filter(|cluster: &&Cluster| cluster.are_simple());
+        let simple = simple.map(|cluster| cluster.range.len()).sum();
+        let boxes = (0..).zip(&all).map(|(number, cluster): (_, &Cluster)| {
+            let Capsule { from: centre, radius, .. } = cluster.ball;
+            BodyPart { body: number, is_one_of_some: false, corners: [centre - radius, centre + radius] }
+        });
+        let hierarchy = Hierarchy::new(boxes, extent.middle);
+        Self { all, hierarchy, bodies, simple }
     }
 
-    /// The blocks that an eye sees, which is in one of the balls that hide bodies, or is not.
-    pub fn seen(&self, is_in_a_ball: bool) -> impl Iterator<Item = &Block> {
-        self.all.iter().filter(move |block| is_in_a_ball || !block.alike.is_inside)
+    /// Puts the numbers of the clusters into `out`, in order, that may be met by a `beam`, or all without
+    /// one, from an eye that is in one of the balls that hide bodies, or is not.
+    pub fn find(&self, beam: Option<&Beam>, is_in_a_ball: bool, out: &mut Vec<u32>) {
+        out.clear();
+        match beam {
+            Some(beam) => self.hierarchy.along(beam, |candidate| {
+                out.push(candidate.body);
+                f32::INFINITY
+            }),
+            None => out.extend(0..self.all.len() as u32),
+        }
+        out.retain(|&number| is_in_a_ball || !self.all[number as usize].alike.is_inside);
+        out.sort_unstable();
     }
 
-    /// The numbers of the bodies of `block`.
-    pub fn bodies_of(&self, block: &Block) -> &[u32] {
-        &self.bodies[block.range.clone()]
+    /// The cluster of this number.
+    pub fn cluster(&self, number: u32) -> &Cluster {
+        &self.all[number as usize]
     }
 
-    /// The numbers of all bodies that [`Block::are_simple`].
+    /// The numbers of the bodies of `cluster`.
+    pub fn bodies_of(&self, cluster: &Cluster) -> &[u32] {
+        &self.bodies[cluster.range.clone()]
+    }
+
+    /// The numbers of all bodies that [`Cluster::are_simple`].
     pub fn simple_bodies(&self) -> &[u32] {
-        let end = self.all.iter().take_while(|block| block.are_simple()).last();
-        &self.bodies[..end.map_or(0, |block| block.range.end)]
+        &self.bodies[..self.simple]
     }
 }
 
-impl Block {
+impl Cluster {
     fn new(scene: &PreparedScene, extent: &Extent, alike: Alike, first: usize, numbers: &[u32]) -> Self {
         let bodies = || numbers.iter().map(|&number| &scene.bodies()[number as usize]);
         let balls: Vec<_> = bodies().map(|body| *scene.ball_around(body)).collect();
