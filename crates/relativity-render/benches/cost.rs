@@ -7,9 +7,10 @@
 //! ms = a + p P + b B + n N + t T
 //! ```
 //!
-//! with P the megapixels of the picture, B those that show bodies, N thousands of bodies, and T the megapixels
-//! that show triangles, times log2 of how many triangles there are. It prints the coefficients, none below 0,
-//! how far the times are from them, and both for each picture. The reference looks once per pixel.
+//! with P the megapixels of the picture, B those that show bodies, N thousands of bodies, and T the
+//! megapixels that show triangles, times log2 of how many triangles there are. It prints the coefficients,
+//! none below 0, how far the times are from them, and both for each picture. The reference looks once per
+//! pixel.
 
 #[path = "../tests/models/mod.rs"]
 mod models;

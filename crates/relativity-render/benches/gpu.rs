@@ -3,8 +3,8 @@
 //! `cargo bench -p relativity-render --bench gpu` prints, for up to 100,000 bodies that ride past at beta =
 //! 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and ratios
 //! to the rays'; then what it adds to compose the two pictures into one, and what pictures parallel to the
-//! baseline and conformal ones cost beside those across the gaze. With `-- crowds` it prints the first alone, with
-//! `-- projections` the last.
+//! baseline and conformal ones cost beside those across the gaze. With `-- crowds` it prints the first alone,
+//! with `-- projections` the last.
 
 use std::hint::black_box;
 use std::time::Instant;

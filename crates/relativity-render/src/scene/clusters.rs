@@ -4,12 +4,23 @@ use std::collections::{BTreeMap, HashSet};
 use std::ops::Range;
 
 use super::prepared_body::PreparedBody;
-use super::prepared_scene::PreparedScene;
-use super::standing::StandingBodies;
 use crate::geometry::capsule::Capsule;
 use crate::geometry::extent::Extent;
 use crate::geometry::hierarchy::{Beam, BodyPart, Hierarchy, pieces};
+use crate::geometry::intersect::Solid;
 use crate::geometry::kind::Kind;
+
+/// The bodies of a scene as clusters are made of them: those of all groups, by their numbers, and the extent
+/// of the group that is meant.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bodies<'a> {
+    pub all: &'a [PreparedBody],
+    pub solids: &'a [Solid],
+    pub capsules: &'a [Capsule],
+    /// A ball around each body.
+    pub balls: &'a [Capsule],
+    pub extent: &'a Extent,
+}
 
 /// The bodies of a group that keep their places, in clusters.
 #[derive(Debug)]
@@ -53,8 +64,21 @@ pub(crate) struct Alike {
     pub is_patterned: bool,
     /// Whether a ball hides them from all eyes outside of balls.
     is_inside: bool,
-    /// log4 of their sizes.
+    /// log4 of their sizes, and log2 of their own radii.
     size: u64,
+    thickness: u64,
+}
+
+impl Bodies<'_> {
+    /// Boxes around the bodies with these numbers.
+    fn hierarchy(&self, numbers: &[u32]) -> Hierarchy {
+        let bodies = numbers.iter().map(|&number| &self.all[number as usize]);
+        let parts = |body: &PreparedBody| {
+            let (solid, capsules) = (&self.solids[body.number], &self.capsules[body.capsules.clone()]);
+            pieces(solid, capsules, body.number as u32, self.extent)
+        };
+        Hierarchy::new(bodies.flat_map(parts), self.extent.middle)
+    }
 }
 
 impl Alike {
@@ -65,30 +89,31 @@ impl Alike {
             kind: body.kind,
             is_patterned: body.is_patterned,
             is_inside,
-            // Half of the binary exponent.
+            // Half of the binary exponent, and the whole.
             size: around.radius.to_bits() >> 53,
+            thickness: radius_of(body).to_bits() >> 52,
         }
     }
 }
 
 impl Clusters {
-    /// Takes the `standing` bodies of a group of `scene`, which has this `extent`.
-    pub fn new(scene: &PreparedScene, extent: &Extent, standing: &StandingBodies) -> Self {
+    /// Takes those of `bodies` with the `standing` numbers, each with whether a ball hides it from the eyes
+    /// outside.
+    pub fn new(bodies: Bodies<'_>, standing: impl Iterator<Item = (u32, bool)>) -> Self {
         let mut by_alike: BTreeMap<Alike, Vec<u32>> = BTreeMap::new();
-        for (number, is_inside) in standing.numbers() {
-            let body = &scene.bodies()[number as usize];
-            let alike = Alike::of(body, scene.ball_around(body), is_inside);
-            by_alike.entry(alike).or_default().push(number);
+        for (number, is_inside) in standing {
+            let (body, ball) = (&bodies.all[number as usize], &bodies.balls[number as usize]);
+            by_alike.entry(Alike::of(body, ball, is_inside)).or_default().push(number);
         }
-        let (mut all, mut bodies, mut seen) = (Vec::new(), Vec::new(), HashSet::new());
-        for (alike, numbers) in by_alike {
-            for neighbours in hierarchy(scene, extent, &numbers).bodies_by_node() {
-                let first = bodies.len();
-                bodies.extend(neighbours.filter(|&body| seen.insert(body)));
+        let (mut all, mut numbers, mut seen) = (Vec::new(), Vec::new(), HashSet::new());
+        for (alike, own) in by_alike {
+            for neighbours in bodies.hierarchy(&own).bodies_by_node() {
+                let first = numbers.len();
+                numbers.extend(neighbours.filter(|&body| seen.insert(body)));
                 // Of surfaces that coincide the first body's is seen.
-                bodies[first..].sort_unstable();
-                if first < bodies.len() {
-                    all.push(Cluster::new(scene, extent, alike, first, &bodies[first..]));
+                numbers[first..].sort_unstable();
+                if first < numbers.len() {
+                    all.push(Cluster::new(bodies, alike, first, &numbers[first..]));
                 }
             }
         }
@@ -98,8 +123,8 @@ impl Clusters {
             let Capsule { from: centre, radius, .. } = cluster.ball;
             BodyPart { body: number, is_one_of_some: false, corners: [centre - radius, centre + radius] }
         });
-        let hierarchy = Hierarchy::new(boxes, extent.middle);
-        Self { all, hierarchy, bodies, simple }
+        let hierarchy = Hierarchy::new(boxes, bodies.extent.middle);
+        Self { all, hierarchy, bodies: numbers, simple }
     }
 
     /// Puts the numbers of the clusters into `out`, in order, that may be met by a `beam`, or all without
@@ -134,15 +159,14 @@ impl Clusters {
 }
 
 impl Cluster {
-    fn new(scene: &PreparedScene, extent: &Extent, alike: Alike, first: usize, numbers: &[u32]) -> Self {
-        let bodies = || numbers.iter().map(|&number| &scene.bodies()[number as usize]);
-        let balls: Vec<_> = bodies().map(|body| *scene.ball_around(body)).collect();
-        let radii = bodies().map(|body| f64::from(body.placement.place_radius[3]));
+    fn new(bodies: Bodies<'_>, alike: Alike, first: usize, numbers: &[u32]) -> Self {
+        let balls: Vec<_> = numbers.iter().map(|&number| bodies.balls[number as usize]).collect();
+        let radii = numbers.iter().map(|&number| radius_of(&bodies.all[number as usize]));
         Self {
             alike,
             range: first..first + numbers.len(),
             ball: Capsule::ball_around(&balls),
-            hierarchy: hierarchy(scene, extent, numbers),
+            hierarchy: bodies.hierarchy(numbers),
             largest: balls.iter().map(|ball| ball.radius).fold(0.0, f64::max),
             radii: radii.fold([f64::INFINITY, 0.0], |[low, high], r| [r.min(low), r.max(high)]),
         }
@@ -155,11 +179,6 @@ impl Cluster {
     }
 }
 
-/// Boxes around the bodies with these numbers, of a group of this `extent`.
-fn hierarchy(scene: &PreparedScene, extent: &Extent, numbers: &[u32]) -> Hierarchy {
-    let bodies = numbers.iter().map(|&number| &scene.bodies()[number as usize]);
-    let parts = |body: &PreparedBody| {
-        pieces(scene.solid(body.number), scene.capsules(body), body.number as u32, extent)
-    };
-    Hierarchy::new(bodies.flat_map(parts), extent.middle)
+fn radius_of(body: &PreparedBody) -> f64 {
+    body.placement.place_radius[3].into()
 }

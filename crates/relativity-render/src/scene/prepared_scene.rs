@@ -5,7 +5,7 @@ use std::slice;
 use std::sync::Arc;
 
 use super::body::{Body, Emission};
-use super::clusters::Clusters;
+use super::clusters::{Bodies, Clusters};
 use super::prepared_body::{PreparedBody, find_joints, find_patterned, find_repeated, number_emissions};
 use super::standing::StandingBodies;
 use super::wheel::solid::TurningSolid;
@@ -239,7 +239,11 @@ impl PreparedScene {
     /// The bodies of the group of this number that keep their places in it, in clusters.
     pub(crate) fn clusters(&self, group: usize) -> &Clusters {
         let standing = &self.0.standing[group];
-        standing.clusters.get_or_init(|| Clusters::new(self, &self.groups()[group].extent, standing))
+        standing.clusters.get_or_init(|| {
+            let Prepared { bodies: all, solids, capsules, balls, groups, .. } = &*self.0;
+            let bodies = Bodies { all, solids, capsules, balls, extent: &groups[group].extent };
+            Clusters::new(bodies, standing.numbers())
+        })
     }
 
     /// Puts the numbers of those clusters of the group of this number into `out`, in order, that its `view` may

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use relativity_core::threads::prelude::*;
 
-use super::pieces::Piece;
+use super::piece::{FADED_PX, Piece, THIN_PX};
 use crate::gpu::buffers::{fill_vertex_buffer, vertex_buffer};
 use crate::gpu::device::Gpu;
 use crate::gpu::drawing::{Batches, Shot, Trait};
@@ -72,8 +72,8 @@ enum Verdict {
 pub struct ClusterView<'a> {
     view: &'a GroupView,
     projection: &'a FootprintMap,
-    /// Radius below which bodies are faded, px: 0 where none is.
-    thin_px: f64,
+    /// Whether thin bodies are faded, as in pictures.
+    is_faded: bool,
 }
 
 impl Crowd {
@@ -187,8 +187,8 @@ impl Held {
 }
 
 impl<'a> ClusterView<'a> {
-    pub const fn new(view: &'a GroupView, projection: &'a FootprintMap, thin_px: f64) -> Self {
-        Self { view, projection, thin_px }
+    pub const fn new(view: &'a GroupView, projection: &'a FootprintMap, is_faded: bool) -> Self {
+        Self { view, projection, is_faded }
     }
 
     /// Decides on `cluster`.
@@ -207,8 +207,8 @@ impl<'a> ClusterView<'a> {
         let [thinnest, thickest] = [cluster.radii[0] / coarsest, cluster.radii[1] / finest];
         match cluster.largest / finest {
             px if px > MOST_PX => Verdict::OneByOne,
-            _ if thinnest >= self.thin_px => Verdict::Placed { is_thin: false },
-            _ if thickest < self.thin_px => Verdict::Placed { is_thin: true },
+            _ if !self.is_faded || thinnest >= FADED_PX => Verdict::Placed { is_thin: false },
+            _ if thickest < THIN_PX => Verdict::Placed { is_thin: true },
             _ => Verdict::OneByOne,
         }
     }
@@ -219,7 +219,6 @@ mod tests {
     use glam::DVec3;
     use relativity_core::{Aperture, Speed};
 
-    use super::super::pieces::THIN_PX;
     use super::*;
     use crate::camera::{Camera, Gaze, Projection};
     use crate::geometry::shape::Shape;
@@ -271,7 +270,7 @@ mod tests {
         for view in views() {
             let group = &scene.group_views(&view)[0];
             let projection = FootprintMap::new(group);
-            let decide = ClusterView::new(group, &projection, THIN_PX);
+            let decide = ClusterView::new(group, &projection, true);
             let mut found = Vec::new();
             scene.find_clusters(0, group, None, &mut found);
             let lengths = |place: DVec3| {
@@ -302,7 +301,8 @@ mod tests {
                             let reach_px = scene.ball_around(body).radius / length;
                             let radius_px = f64::from(body.placement.place_radius[3]) / length;
                             assert!(reach_px <= MOST_PX, "{reach_px} px: {view:?}");
-                            assert!((radius_px < THIN_PX) == is_thin, "{radius_px} px: {view:?}");
+                            let is_right = if is_thin { radius_px < THIN_PX } else { radius_px >= FADED_PX };
+                            assert!(is_right, "{radius_px} px: {view:?}");
                         }
                     }
                     Verdict::OneByOne => {

@@ -5,6 +5,7 @@
 //! tests it against the body.
 
 mod crowd;
+mod piece;
 mod pieces;
 
 use crate::geometry::kind::Kind;
@@ -15,8 +16,9 @@ use crate::gpu::pipelines::{Pipelines, Technique};
 use crate::gpu::sampling::Sampling;
 use crate::view::group_view::GroupView;
 use crowd::Crowd;
+pub use piece::Piece;
+pub use pieces::Bounds;
 use pieces::Pieces;
-pub use pieces::{Bounds, Piece};
 
 /// Draws exactly what an aperture sees.
 #[derive(Debug)]

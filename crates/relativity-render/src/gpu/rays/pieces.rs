@@ -6,28 +6,23 @@
 use std::collections::BTreeMap;
 use std::slice::{self, Iter};
 
-use bytemuck::{Pod, Zeroable};
-use glam::DVec2;
 use relativity_core::threads::prelude::*;
 
 use super::crowd::{ClusterView, Crowd};
+use super::piece::{Piece, THIN_PX};
 use crate::geometry::capsule::Capsule;
 use crate::geometry::kind::Kind;
 use crate::gpu::drawing::{Shot, Trait};
 use crate::picture::footprint::{Bound, Footprint, FootprintMap, Rectangle};
-use crate::scene::prepared_body::{Placement, PreparedBody};
+use crate::scene::prepared_body::PreparedBody;
 use crate::scene::prepared_scene::PreparedScene;
-use crate::scene::wheel::packed::{TurningStart, Turns};
+use crate::scene::wheel::packed::Turns;
 use crate::view::Geometry;
 use crate::view::group_view::GroupView;
 
 /// Number of halvings after which the bound of a piece is taken as it is: 32 rectangles follow the most bent
 /// of tubes, and a looser bound only costs time.
 const MAX_HALVINGS: u32 = 5;
-/// Below this radius a piece may be faded in pictures instead of drawn thinner, px. The shader fades what it
-/// finds thinner than half a pixel; the rest is room. The radius is the one across x: what
-/// `Geometry::Contracted` flattens along x below a pixel is drawn as thin as it is there.
-pub const THIN_PX: f64 = 0.75;
 
 /// Bodies that one thread places before it asks for more: 0.15 ms, beside which a thread costs little.
 const PLACED_TOGETHER: usize = 64;
@@ -40,21 +35,6 @@ pub enum Bounds {
     Tight,
     /// Everywhere: what tight bounds are measured against.
     None,
-}
-
-/// Mirror of the shaders' `Piece`.
-#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Piece {
-    pub place: [f32; 4],
-    pub second_axis_index_brightness: [f32; 4],
-    pub place_radius: [f32; 4],
-    pub form: [f32; 4],
-    pub turn: [f32; 4],
-    pub light: [f32; 4],
-    pub pattern: [f32; 3],
-    pub spin: [f32; 4],
-    pub rim: [f32; 2],
 }
 
 /// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, bodies that
@@ -85,7 +65,7 @@ impl Pieces {
         for (number, view) in shot.views.iter().enumerate().filter(|(_, view)| meant(view)) {
             let projection = FootprintMap::new(view);
             self.candidates.clear();
-            let decide = ClusterView::new(view, &projection, thin_px);
+            let decide = ClusterView::new(view, &projection, thin_px > 0.0);
             match bounds {
                 Bounds::Tight => crowd.divide(shot.scene, number, &decide, &mut self.candidates),
                 Bounds::None => {
@@ -206,46 +186,6 @@ fn add_rectangles<B: Bound>(projection: &FootprintMap, bound: &B, halvings: u32,
             for half in bound.halves() {
                 add_rectangles(projection, &half, halvings - 1, out);
             }
-        }
-    }
-}
-
-impl Piece {
-    /// Layout in which the vertex stage reads a piece.
-    pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-        array_stride: size_of::<Self>() as u64,
-        step_mode: wgpu::VertexStepMode::Instance,
-        attributes: &wgpu::vertex_attr_array![
-            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4,
-            6 => Float32x3, 7 => Float32x4, 8 => Float32x2
-        ],
-    };
-
-    /// Returns the piece of `body` without a rectangle, which [`Self::placed`] gives it, or else the vertex
-    /// stage.
-    pub fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
-        let TurningStart { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
-        Self {
-            place: [0.0; 4],
-            second_axis_index_brightness: [0.0, 0.0, body.index(), body.brightness as f32],
-            place_radius,
-            form,
-            turn,
-            light: shot.light(body),
-            pattern: shot.pattern(body),
-            spin,
-            rim,
-        }
-    }
-
-    fn placed(&self, rectangle: &Rectangle) -> Self {
-        let [middle, first, second] =
-            [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(DVec2::as_vec2);
-        let [_, _, index, brightness] = self.second_axis_index_brightness;
-        Self {
-            place: [middle.x, middle.y, first.x, first.y],
-            second_axis_index_brightness: [second.x, second.y, index, brightness],
-            ..*self
         }
     }
 }
