@@ -101,7 +101,8 @@ fn metric(p: vec3f, q: vec3f) -> f32 {
     return along * p.x * q.x + dot(p.yz, q.yz);
 }
 
-// Between which clip coordinates the outline of a ball is, along the picture's axis that `axis` is the row of.
+// Between which clip coordinates the outline of a ball is, along the axis of the picture that `axis` is the
+// row of.
 fn extent(ball: vec3f, depth: f32, axis: vec3f, radius: f32) -> vec2f {
     let e = motion_from_sight(axis);
     let forward = motion_from_sight(frame.forward.xyz);

@@ -246,8 +246,8 @@ impl PreparedScene {
         })
     }
 
-    /// Puts the numbers of those clusters of the group of this number into `out`, in order, that its `view` may
-    /// show along a `beam`, or without one wherever it looks.
+    /// Puts the numbers of those clusters of the group of this number into `out`, in order, that its `view`
+    /// may show along a `beam`, or without one wherever it looks.
     pub(crate) fn find_clusters(
         &self,
         group: usize,

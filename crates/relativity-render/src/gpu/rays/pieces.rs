@@ -50,8 +50,8 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Replaces all by the pieces of `shot` in groups whose views are `meant`, but for what joins the `crowd`.
-    /// In numbers nothing is faded, so none is thin there.
+    /// Replaces all by the pieces of `shot` in groups whose views are `meant`, but for those of bodies that
+    /// join the `crowd`. In numbers nothing is faded, so none is thin there.
     pub fn refill(
         &mut self,
         crowd: &mut Crowd,
