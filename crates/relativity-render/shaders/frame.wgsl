@@ -8,10 +8,10 @@ override ACROSS: u32;
 
 struct FrameUniform {
     // Line of sight (unnormalised) = base + right * (u - pole.x) + down * (v - pole.y), u and v in pixels; of
-    // a conformal picture see `conformal_line`; base.w: the size of a pixel in focal lengths, or in u and v.
-    // The pole is the pixel towards where the group comes from (-x,
+    // a conformal picture see `conformal_line`. The pole is the pixel towards where the group comes from (-x,
     // if it moves along +x) when that is in front of the camera: there n_y and n_z are small, matter
-    // relatively, and must not come out of a difference.
+    // relatively, and must not come out of a difference. base.w: the size of a pixel in focal lengths, or in
+    // u and v.
     base: vec4f,
     right: vec4f,
     down: vec4f,

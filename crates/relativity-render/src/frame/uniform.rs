@@ -24,7 +24,7 @@ use crate::view::{Appearance, Geometry};
 #[repr(C)]
 pub struct FrameUniform {
     /// Line of sight through the pole, unnormalised: its part along the optical axis is 1. In a conformal
-    /// picture cosh u long. And the size of a pixel in focal lengths, or in u and v.
+    /// picture cosh u long. w: the size of a pixel in focal lengths, or in u and v.
     pub base: [f32; 4],
     /// Change of that line from one pixel to the next on the right. In a conformal picture only e^u at the
     /// pole.
@@ -101,10 +101,10 @@ pub struct FrameUniform {
     /// The hatch of what eyes do not see: see [`Hatch::packed`].
     pub hatch: [[f32; 4]; 2],
     /// Row of the clip coordinate x: its product with an apparent position. In a conformal picture the unit
-    /// vector along the baseline. And the clip coordinates of a focal length, or of a unit of u.
+    /// vector along the baseline. w: the clip coordinates of a focal length, or of a unit of u.
     pub clip_right: [f32; 4],
-    /// y. In a conformal picture the unit vector across the baseline and `forward`. And the clip coordinates
-    /// of a focal length, or of a radian of v.
+    /// y. In a conformal picture the unit vector across the baseline and `forward`. w: the clip coordinates of
+    /// a focal length, or of a radian of v.
     pub clip_up: [f32; 4],
     /// w: the depth along the optical axis. In a conformal picture also u in the middle of the picture.
     pub forward: [f32; 4],

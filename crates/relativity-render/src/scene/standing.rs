@@ -68,8 +68,7 @@ impl StandingBodies {
         Self { all, outside, clusters: OnceLock::new() }
     }
 
-    /// Returns the numbers of all bodies, and whether a ball hides each from the
-    /// eyes outside.
+    /// Returns the numbers of all bodies, and whether a ball hides each from the eyes outside.
     pub fn numbers(&self) -> impl Iterator<Item = (u32, bool)> {
         let outside: Option<HashSet<u32>> =
             self.outside.as_ref().map(|outside| outside.hierarchy.bodies_by_node().flatten().collect());

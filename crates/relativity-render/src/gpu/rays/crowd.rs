@@ -63,7 +63,8 @@ enum Verdict {
     Hidden,
     /// The device places its bodies; are they drawn as thin ones?
     Placed { is_thin: bool },
-    /// The processor places each of its bodies.
+    /// The processor places each of its bodies: they are large, or thin ones among thick, or f32 may lose
+    /// them.
     OneByOne,
 }
 
@@ -104,8 +105,8 @@ impl Crowd {
         scene.find_clusters(group, view.view, beam.as_ref(), &mut found);
         let first = (0..group).map(|group| scene.clusters(group).simple_bodies().len()).sum::<usize>();
         let clusters = scene.clusters(group);
-        // Whether no body since the last shown cluster is drawn otherwise.
-        let mut is_unbroken = false;
+        // The traits of the last cluster, if the crowd shows it: no body since is drawn otherwise.
+        let mut last = None;
         for &number in &found {
             let cluster = clusters.cluster(number);
             match view.verdict(cluster) {
@@ -115,11 +116,11 @@ impl Crowd {
                     let shared =
                         Trait { is_thin, group, kind, is_patterned, turns: Turns::Not, template: () };
                     let [start, end] = [cluster.range.start, cluster.range.end].map(|at| (first + at) as u32);
-                    self.show(shared, start..end, is_unbroken);
-                    is_unbroken = true;
+                    self.show(shared, start..end, last == Some(shared));
+                    last = Some(shared);
                 }
                 Verdict::OneByOne => {
-                    is_unbroken = false;
+                    last = None;
                     match &beam {
                         Some(beam) => cluster.hierarchy.along(beam, |candidate| {
                             others.push(candidate.body);
