@@ -103,8 +103,8 @@ pub struct FrameUniform {
     /// Row of the clip coordinate x: its product with an apparent position. In a conformal picture the unit
     /// vector along the baseline. w: the clip coordinates of a focal length, or of a unit of u.
     pub clip_right: [f32; 4],
-    /// y. In a conformal picture the unit vector across the baseline and `forward`. w: the clip coordinates of
-    /// a focal length, or of a radian of v.
+    /// y. In a conformal picture the unit vector across the baseline and `forward`. w: the clip coordinates
+    /// of a focal length, or of a radian of v.
     pub clip_up: [f32; 4],
     /// w: the depth along the optical axis. In a conformal picture also u in the middle of the picture.
     pub forward: [f32; 4],
