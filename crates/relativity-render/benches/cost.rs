@@ -12,6 +12,7 @@
 //! none below 0, how far the times are from them, and both for each picture. The reference looks once per
 //! pixel.
 
+mod crowd;
 #[path = "../tests/models/mod.rs"]
 mod models;
 #[path = "../tests/support/mod.rs"]
@@ -25,7 +26,7 @@ use models::ball_model;
 use relativity_core::{Aperture, Speed};
 use relativity_render::{
     Appearance, Body, Camera, EyeTarget, Gaze, Geometry, Gpu, GpuError, Method, PreparedScene, Renderers,
-    Shape, View,
+    View,
 };
 use support::{centred, spread};
 
@@ -37,7 +38,7 @@ const MODELS: [u32; 3] = [10, 100, 500];
 const MIDDLE: [f64; 3] = [0.0, 5.0, 0.0];
 const TERMS: usize = 5;
 
-/// What a picture costs.
+/// The cost of a picture.
 struct Cost {
     name: String,
     /// The factors of the coefficients.
@@ -173,21 +174,6 @@ fn least_squares(costs: &[Cost], used: &[usize]) -> Vec<f64> {
 /// much.
 fn crowd(count: u32) -> Vec<Body> {
     let size = 0.8 * f64::from(count.max(1)).sqrt().recip();
-    let body = |i| {
-        let [x, y, z] = spread(i);
-        let centre = DVec3::from(MIDDLE) + 1.5 * centred([x, y, z]);
-        let [x, y, z] = centre.to_array();
-        let shape = match i % 3 {
-            0 => Shape::Sphere { centre: [x, y, z], radius: 0.5 * size },
-            1 => Shape::Tube { from: [x - size, y, z], to: [x + size, y, z + size], radius: 0.2 * size },
-            _ => Shape::Ring {
-                centre: [x, y, z],
-                axis: [0.0, 0.6, 0.8],
-                radius: size,
-                tube_radius: 0.1 * size,
-            },
-        };
-        Body::new(shape, 600.0)
-    };
-    (0..count).map(body).collect()
+    let centre = |i| (DVec3::from(MIDDLE) + 1.5 * centred(spread(i))).to_array();
+    (0..count).map(|i| crowd::body(i, centre(i), size)).collect()
 }

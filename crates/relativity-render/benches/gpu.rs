@@ -6,6 +6,8 @@
 //! baseline and conformal ones cost beside those across the gaze. With `-- crowds` it prints the first alone,
 //! with `-- projections` the last.
 
+mod crowd;
+
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -14,7 +16,7 @@ use relativity_core::{Aperture, Speed};
 use relativity_render::picture::compose::Top;
 use relativity_render::{
     Appearance, Body, Camera, Composed, Composer, Composition, EyeTarget, Gaze, Geometry, Gpu, GpuError,
-    Method, PreparedScene, Projection, Renderers, Shape, View,
+    Method, PreparedScene, Projection, Renderers, View,
 };
 
 const ROUNDS: usize = 5;
@@ -222,15 +224,6 @@ fn views() -> [View; 2] {
 fn crowd(count: u32) -> Vec<Body> {
     let size = f64::from(count).cbrt().recip();
     let spread = |i: u32, root: f64| (f64::from(i) * root.sqrt()).fract();
-    let body = |i| {
-        let centre = [12.0 * spread(i, 2.0) - 6.0, 4.0 + 4.0 * spread(i, 3.0), 4.0 * spread(i, 5.0) - 2.0];
-        let [x, y, z] = centre;
-        let shape = match i % 3 {
-            0 => Shape::Sphere { centre, radius: 0.5 * size },
-            1 => Shape::Tube { from: [x - size, y, z], to: [x + size, y, z + size], radius: 0.2 * size },
-            _ => Shape::Ring { centre, axis: [0.0, 0.6, 0.8], radius: size, tube_radius: 0.1 * size },
-        };
-        Body::new(shape, 650.0)
-    };
-    (0..count).map(body).collect()
+    let centre = |i| [12.0 * spread(i, 2.0) - 6.0, 4.0 + 4.0 * spread(i, 3.0), 4.0 * spread(i, 5.0) - 2.0];
+    (0..count).map(|i| crowd::body(i, centre(i), size)).collect()
 }

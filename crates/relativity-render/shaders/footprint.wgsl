@@ -21,8 +21,8 @@ const NOWHERE = Rectangle(vec2f(2.0), vec2f(2.0));
 
 fn footprint(body: Body) -> Rectangle {
     let capsule = around(body);
-    let beginning = from_camera(capsule.place);
-    let end = from_camera(capsule.end);
+    let beginning = motion_from_group(from_camera_event(capsule.place));
+    let end = motion_from_group(from_camera_event(capsule.end));
     if CONFORMAL {
         return conformal_footprint(0.5 * (beginning + end), capsule.radius + 0.5 * length(end - beginning));
     }
@@ -59,11 +59,6 @@ fn is_aside(centre: vec3f, radius: f32) -> bool {
     let shift = abs(dot(frame.clip_right.xyz, frame.forward.xyz));
     let corner = length(vec2f((1.0 + shift) / frame.clip_right.w, 1.0 / frame.clip_up.w)) + MARGIN * frame.base.w;
     return off - depth * corner > radius * sqrt(1.0 + corner * corner);
-}
-
-// A place from the middle of the group as it is from the camera's event, in axes along the motion.
-fn from_camera(place: vec3f) -> vec3f {
-    return motion_from_group(frame.middle.xyz + (frame.middle_fine.xyz + place));
 }
 
 // `rectangle` with this many focal lengths, or radians, of room around it.

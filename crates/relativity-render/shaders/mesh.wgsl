@@ -86,7 +86,7 @@ fn mapped_along_x(c: vec3f) -> Sighting {
 
 // The camera's event from the middle of `body`, along the body's own axes.
 fn camera_from_body(body: Body) -> vec3f {
-    return body_from_rest(-(frame.middle.xyz + (frame.middle_fine.xyz + middle(body))), body);
+    return body_from_rest(-from_camera_event(middle(body)), body);
 }
 
 // Beyond this many halves of a body's length it is divided evenly; and nearer than this the camera counts as
@@ -129,7 +129,7 @@ fn shown_corner(corner: Corner, body: Body, spin: Spin) -> Shape {
 }
 
 fn sighting_from_middle(place: vec3f) -> Sighting {
-    return mapped(frame.middle.xyz + (frame.middle_fine.xyz + place));
+    return mapped(from_camera_event(place));
 }
 
 // Half the size of a pixel at what appears at `position`: away from the axis of a flat picture nothing is

@@ -43,7 +43,7 @@ fn shown_later(hub: vec3f, q: vec3f, spin: Spin) -> f32 {
 
 // The hub from the camera's event.
 fn hub_from_camera(spin: Spin) -> vec3f {
-    return frame.middle.xyz + (frame.middle_fine.xyz + spin.hub);
+    return from_camera_event(spin.hub);
 }
 
 // Where a corner is shown, from the group's middle, that is at `place` when the hub is shown; and its normal.

@@ -52,6 +52,11 @@ fn reference_sight(sight: vec3f) -> vec3f {
     return sight;
 }
 
+// A place from the middle of the group as it is from the camera's event.
+fn from_camera_event(place: vec3f) -> vec3f {
+    return frame.middle.xyz + (frame.middle_fine.xyz + place);
+}
+
 // The height on the ground, from the camera, of what is at this `height` in the group's frame, at `place`
 // from its middle.
 fn height_on_ground(height: f32, place: vec3f) -> f32 {

@@ -45,7 +45,7 @@ fn later(q: vec3f, spin: Spin) -> Later {
         let slowness = group_from_motion(vec3f(frame.speed.x, 0.0, 0.0));
         return Later(-dot(slowness, q), slowness);
     }
-    return later_from(frame.middle.xyz + (frame.middle_fine.xyz + spin.hub), q);
+    return later_from(from_camera_event(spin.hub), q);
 }
 
 // The same for the light to a camera event from which the hub is at `hub`. No product overflows, however far

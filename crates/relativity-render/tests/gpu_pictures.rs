@@ -274,7 +274,7 @@ fn small_bodies_are_seen_behind_thin_ones(renderers: &mut Renderers) {
     };
     let truth = squares(Method::Packets, 1);
     let drawn = squares(Method::Rays, 1);
-    let off = truth.iter().zip(&drawn).map(|(truth, drawn)| (truth - drawn).abs()).fold(0.0, f64::max);
+    let off = most_off(&drawn, &truth);
     assert!(off < LIGHT_OFF, "{off} pixels' light is off");
 }
 
@@ -311,8 +311,7 @@ fn long_bodies_narrow_into_the_distance(renderers: &mut Renderers) {
         let truth = squares(Method::Reference, 4);
         for method in [Method::Rays, Method::Packets, Method::Mesh] {
             let drawn = squares(method, 1);
-            let off =
-                drawn.iter().zip(&truth).map(|(drawn, truth)| (drawn - truth).abs()).fold(0.0, f64::max);
+            let off = most_off(&drawn, &truth);
             assert!(off <= LIGHT_OFF, "{method} at {beta}: {off} pixels' light off in a square");
         }
     }
@@ -330,6 +329,11 @@ fn light_in_squares(picture: &Picture) -> Vec<f64> {
         }
     }
     squares
+}
+
+/// The greatest difference of light in one square.
+fn most_off(drawn: &[f64], truth: &[f64]) -> f64 {
+    drawn.iter().zip(truth).map(|(drawn, truth)| (drawn - truth).abs()).fold(0.0, f64::max)
 }
 
 /// Sum of linear light.

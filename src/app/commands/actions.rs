@@ -70,7 +70,7 @@ const fn window(command: WindowCommand) -> Command {
 }
 
 const fn toggle(page: Overlay) -> Command {
-    Command::Window(WindowCommand::Toggle(page))
+    window(WindowCommand::Toggle(page))
 }
 
 const fn next(steps: i32) -> Command {

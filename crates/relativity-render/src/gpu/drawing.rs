@@ -137,31 +137,40 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
         for (shared, run) in runs {
             let start = self.instances.len() as u32;
             self.instances.extend(run);
-            self.add(gpu, shot, shared, start..self.instances.len() as u32);
+            let key = self.prepared(gpu, shot, &shared);
+            let Trait { group, template, .. } = shared;
+            let instances = start..self.instances.len() as u32;
+            self.in_order.push(InstanceBatch { group, key, template, instances });
         }
         fill_vertex_buffer(gpu, vertices, &self.instances);
     }
 
     /// Replaces all by these ranges of a buffer that is filled already, and makes the pipelines that they
     /// need.
-    pub fn refer(
+    pub fn refer<'a>(
         &mut self,
         gpu: &Gpu,
         shot: &Shot<'_>,
-        ranges: impl Iterator<Item = (Trait<T>, Range<u32>)>,
-    ) {
+        ranges: impl Iterator<Item = (Trait<T>, &'a [Range<u32>])>,
+    ) where
+        T: Copy,
+    {
         self.in_order.clear();
-        for (shared, range) in ranges {
-            self.add(gpu, shot, shared, range);
+        for (shared, ranges) in ranges {
+            let key = self.prepared(gpu, shot, &shared);
+            let Trait { group, template, .. } = shared;
+            let batch = |range: &Range<u32>| InstanceBatch { group, key, template, instances: range.clone() };
+            self.in_order.extend(ranges.iter().map(batch));
         }
     }
 
-    fn add(&mut self, gpu: &Gpu, shot: &Shot<'_>, shared: Trait<T>, instances: Range<u32>) {
-        let Trait { group, kind, template, is_thin, is_patterned, turns } = shared;
+    /// Makes the pipeline of instances that share this, and returns its key.
+    fn prepared(&mut self, gpu: &Gpu, shot: &Shot<'_>, shared: &Trait<T>) -> Key {
+        let &Trait { group, kind, is_thin, is_patterned, turns, .. } = shared;
         let output = Output::new(&shot.views[group], turns, shot.appearance, is_thin, is_patterned);
         let key = Key::new(kind, turns, shot.views, group, output);
         self.pipelines.prepare(gpu, key);
-        self.in_order.push(InstanceBatch { group, key, template, instances });
+        key
     }
 
     /// The batches, in order.

@@ -37,7 +37,7 @@ pub(crate) struct Clusters {
 /// Bodies that are near each other, as many as there are boxes in a node of a hierarchy at most.
 #[derive(Debug)]
 pub(crate) struct Cluster {
-    /// Common properties.
+    /// Properties that all of the bodies have in common.
     pub alike: Alike,
     /// Range of the cluster in the group's list of bodies.
     pub range: Range<usize>,
@@ -47,7 +47,7 @@ pub(crate) struct Cluster {
     pub largest: f64,
     /// Boxes around the bodies.
     pub hierarchy: Hierarchy,
-    /// The least and the greatest radius of the bodies themselves, as [`Placement`] has it.
+    /// The least and the greatest radius of the bodies themselves: that of their [`Placement`].
     ///
     /// [`Placement`]: super::prepared_body::Placement
     pub radii: [f64; 2],
@@ -132,10 +132,7 @@ impl Clusters {
     pub fn find(&self, beam: Option<&Beam>, is_in_a_ball: bool, out: &mut Vec<u32>) {
         out.clear();
         match beam {
-            Some(beam) => self.hierarchy.along(beam, |candidate| {
-                out.push(candidate.body);
-                f32::INFINITY
-            }),
+            Some(beam) => self.hierarchy.add_along(beam, out),
             None => out.extend(0..self.all.len() as u32),
         }
         out.retain(|&number| is_in_a_ball || !self.all[number as usize].alike.is_inside);

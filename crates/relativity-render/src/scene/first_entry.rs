@@ -159,10 +159,7 @@ impl EntrySearch<'_> {
     fn first_in_order(&self, ray: &Ray) -> Option<Found> {
         let mut all = self.chosen.others.to_vec();
         if self.chosen.standing.is_some() {
-            self.hierarchy().along(&BeamLine::new(ray, self.middle()), |candidate| {
-                all.push(candidate.body);
-                f32::INFINITY
-            });
+            self.hierarchy().add_along(&BeamLine::new(ray, self.middle()), &mut all);
         }
         all.sort_unstable();
         all.dedup();

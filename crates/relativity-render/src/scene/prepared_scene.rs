@@ -242,7 +242,7 @@ impl PreparedScene {
         standing.clusters.get_or_init(|| {
             let Prepared { bodies: all, solids, capsules, balls, groups, .. } = &*self.0;
             let bodies = Bodies { all, solids, capsules, balls, extent: &groups[group].extent };
-            Clusters::new(bodies, standing.numbers())
+            Clusters::new(bodies, standing.numbers(&all[groups[group].bodies.clone()]))
         })
     }
 

@@ -27,7 +27,7 @@ pub(crate) struct StandingBodies {
     all: Hierarchy,
     /// Bodies that no ball hides, if any ball hides others.
     outside: Option<Outside>,
-    /// Clusters of the bodies, once a renderer has asked for them.
+    /// Clusters of the bodies, from the first time that a renderer asks for them.
     pub clusters: OnceLock<Clusters>,
 }
 
@@ -49,8 +49,7 @@ struct Ball {
 impl StandingBodies {
     /// Takes those of the `bodies` of a group of this `extent`, with all solids and capsules of the scene.
     pub fn new(bodies: &[PreparedBody], extent: &Extent, solids: &[Solid], capsules: &[Capsule]) -> Self {
-        let is_standing = |body: &&PreparedBody| !body.is_turned && !body.is_repeated;
-        let standing = || bodies.iter().filter(is_standing);
+        let standing = || bodies.iter().filter(|body| is_standing(body));
         let boxes = |body: &PreparedBody| {
             pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
         };
@@ -68,13 +67,13 @@ impl StandingBodies {
         Self { all, outside, clusters: OnceLock::new() }
     }
 
-    /// Returns the numbers of all bodies, and whether a ball hides each from the eyes outside.
-    pub fn numbers(&self) -> impl Iterator<Item = (u32, bool)> {
+    /// Returns the numbers of those of the group's `bodies` that stand still, and whether a ball hides each
+    /// from the eyes outside.
+    pub fn numbers(&self, bodies: &[PreparedBody]) -> impl Iterator<Item = (u32, bool)> {
         let outside: Option<HashSet<u32>> =
             self.outside.as_ref().map(|outside| outside.hierarchy.bodies_by_node().flatten().collect());
-        let mut seen = HashSet::new();
-        let each_once = self.all.bodies_by_node().flatten().filter(move |&body| seen.insert(body));
-        each_once.map(move |body| (body, outside.as_ref().is_some_and(|outside| !outside.contains(&body))))
+        let numbers = bodies.iter().filter(|body| is_standing(body)).map(|body| body.number as u32);
+        numbers.map(move |body| (body, outside.as_ref().is_some_and(|outside| !outside.contains(&body))))
     }
 
     /// Returns the boxes of what may be seen by an `eye` in the rest frame of the group.
@@ -87,6 +86,11 @@ impl StandingBodies {
     pub fn is_in_a_ball(&self, eye: DVec3) -> bool {
         self.outside.iter().flat_map(|outside| &outside.balls).any(|ball| ball.holds(eye))
     }
+}
+
+/// Whether a body is drawn where it stands: not one that turns out of its place, nor a repetition.
+const fn is_standing(body: &PreparedBody) -> bool {
+    !body.is_turned && !body.is_repeated
 }
 
 impl Ball {

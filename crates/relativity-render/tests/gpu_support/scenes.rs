@@ -59,7 +59,7 @@ pub fn crowd(count: u32) -> Vec<Body> {
     bodies((0..count).map(shape).collect())
 }
 
-/// Of each of `count` small bodies, strewn as in a crowd, a swarm of twelve.
+/// `count` swarms of twelve small bodies each, strewn as the bodies of a crowd.
 pub fn swarms(count: u32) -> Vec<Body> {
     let shape = |i| {
         let [size, x, y, z] = spread(i);

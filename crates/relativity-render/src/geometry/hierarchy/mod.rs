@@ -144,6 +144,14 @@ impl Hierarchy {
         dispatch!(Level::new(), simd => self.along_on(simd, looks, visit));
     }
 
+    /// Adds the numbers of all candidates of `looks` to `out`, some more than once.
+    pub fn add_along(&self, looks: &impl Looks, out: &mut Vec<u32>) {
+        self.along(looks, |candidate| {
+            out.push(candidate.body);
+            f32::INFINITY
+        });
+    }
+
     /// Visits candidates as [`Self::along`] does, where the registers `simd` are in use already.
     #[inline(always)]
     pub fn along_on<S: Simd, L: Looks>(&self, simd: S, looks: &L, mut visit: impl FnMut(Candidate) -> f32) {

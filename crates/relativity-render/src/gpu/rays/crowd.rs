@@ -36,7 +36,7 @@ const MOST_BRIDGED: u32 = 64;
 /// The bodies of a scene that the device may place.
 #[derive(Debug)]
 pub struct Crowd {
-    /// What the device holds; `None` before the first.
+    /// The origin of the data on the device; `None` before there are any.
     held: Option<Held>,
     /// The data of all simple bodies, group by group.
     buffer: wgpu::Buffer,
@@ -47,7 +47,7 @@ pub struct Crowd {
     batches: Batches<Piece, ()>,
 }
 
-/// All that the data of bodies depend on.
+/// The origin of the data of bodies: a change of any of it changes them.
 #[derive(Debug, PartialEq)]
 struct Held {
     scene: PreparedScene,
@@ -122,10 +122,7 @@ impl Crowd {
                 Verdict::OneByOne => {
                     last = None;
                     match &beam {
-                        Some(beam) => cluster.hierarchy.along(beam, |candidate| {
-                            others.push(candidate.body);
-                            f32::INFINITY
-                        }),
+                        Some(beam) => cluster.hierarchy.add_along(beam, others),
                         None => others.extend(clusters.bodies_of(cluster)),
                     }
                 }
@@ -149,10 +146,8 @@ impl Crowd {
     /// Makes the pipelines that the shown bodies need, and brings the data of all simple bodies of `shot` to
     /// the device, unless they are there or none is shown.
     pub fn load(&mut self, gpu: &Gpu, shot: &Shot<'_>) {
-        let shown = self.shown.iter();
-        let ranges =
-            shown.flat_map(|(&shared, ranges)| ranges.iter().map(move |range| (shared, range.clone())));
-        self.batches.refer(gpu, shot, ranges);
+        let shown = self.shown.iter().filter(|(_, ranges)| !ranges.is_empty());
+        self.batches.refer(gpu, shot, shown.map(|(&shared, ranges)| (shared, &ranges[..])));
         if self.batches.iter().next().is_none() || self.held.as_ref().is_some_and(|held| held.is_of(shot)) {
             return;
         }
@@ -192,7 +187,7 @@ impl<'a> ClusterView<'a> {
         Self { view, projection, is_faded }
     }
 
-    /// Decides on `cluster`.
+    /// Returns the decision on `cluster`.
     fn verdict(&self, cluster: &Cluster) -> Verdict {
         let middle = self.view.along_motion_from_camera(cluster.ball.from);
         if self.projection.hides(middle, cluster.ball.radius) {
@@ -262,8 +257,8 @@ mod tests {
         })
     }
 
-    /// A cluster is as small, as thin and as thick as its verdict says, in each of its bodies, and most of
-    /// those that are small are left to the device.
+    /// Each body of a cluster is as small, as thin and as thick as the verdict says, and most of the small
+    /// ones are left to the device.
     #[test]
     fn verdicts_hold_for_each_body() {
         let scene = scene();

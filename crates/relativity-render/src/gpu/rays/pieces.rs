@@ -65,7 +65,7 @@ impl Pieces {
         for (number, view) in shot.views.iter().enumerate().filter(|(_, view)| meant(view)) {
             let projection = FootprintMap::new(view);
             self.candidates.clear();
-            let decide = ClusterView::new(view, &projection, thin_px > 0.0);
+            let decide = ClusterView::new(view, &projection, shot.appearance.is_some());
             match bounds {
                 Bounds::Tight => crowd.divide(shot.scene, number, &decide, &mut self.candidates),
                 Bounds::None => {
