@@ -2,6 +2,8 @@
 
 use super::super::body::{Limits, PacketBody, PacketGroup, RestRays, Surface, own_ray};
 use super::super::edge::share_of_other;
+use super::pattern::chart::{OffAxis, SurfacePlaces, along_axis, angle_to};
+use crate::scene::pattern::NUDGE;
 use crate::simd::lanes::{F, Mask, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
 
 /// Returns the surface of the body where rays meet it.
@@ -167,5 +169,42 @@ fn ellipse<S: Simd>(x: F<S>, y: F<S>, radius: F<S>, cosine: F<S>) -> Ellipse<S> 
     Ellipse {
         inside: level * (radius * cosine - level) / steepness,
         outward: V2::new(gradient.x / steepness, gradient.y / steepness),
+    }
+}
+
+/// Returns the normal of the side or of one of the ends, in the body's own axes: never a mean of both, where a
+/// pixel shows both.
+#[inline(always)]
+pub fn pattern_normal<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> V3<S> {
+    let half = body.halves();
+    let zero = all(half.x.simd, 0.0);
+    let off = OffAxis::new(place);
+    let is_end = (half.z - place.z.abs()).simd_lt(half.x - off.distance);
+    let side = V3::new(off.outward.x, off.outward.y, zero);
+    V3::select(is_end, V3::new(zero, zero, sign_of(place.z)), side)
+}
+
+/// Returns the chart of a place on the body, in its own axes: the same way as `shaders/pattern_cylinder.wgsl`.
+#[inline(always)]
+pub fn chart<S: Simd>(
+    body: &PacketBody<S>,
+    pattern: [f32; 3],
+    place: V3<S>,
+    normal: V3<S>,
+) -> SurfacePlaces<S> {
+    let half = body.halves();
+    let simd = half.x.simd;
+    let off = OffAxis::new(place);
+    let is_side = normal.z.simd_eq(0.0);
+    let on_end = half.z + normal.z * (half.z + half.x - off.distance);
+    let inward = V3::new(-normal.z * off.outward.x, -normal.z * off.outward.y, all(simd, 0.0));
+    SurfacePlaces {
+        along: select(is_side, place.z + half.z, on_end),
+        along_gradient: V3::select(is_side, along_axis(simd), inward),
+        around: angle_to(place.y, place.x),
+        around_gradient: off.around_gradient(),
+        off_axis: off.distance,
+        level: place.z - normal.z * (NUDGE as f32 * pattern[1]) + half.z,
+        level_gradient: along_axis(simd),
     }
 }

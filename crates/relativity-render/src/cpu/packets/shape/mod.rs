@@ -10,7 +10,7 @@ use super::body::{Limits, PacketBody, PacketCapsule, PacketGroup, RestRays, Surf
 use crate::geometry::kind::Kind;
 use crate::simd::lanes::{F, Simd, V3};
 use pattern::coverage::PixelShifts;
-use pattern::{chart, die};
+use pattern::die;
 
 /// Returns the surface of a body where rays meet it. If `limits` exclude it, it is any excluded surface.
 ///
@@ -70,7 +70,7 @@ pub fn around<S: Simd>(kind: Kind, body: &PacketBody<S>) -> PacketCapsule<S> {
 pub fn own_normal<S: Simd>(kind: Kind, body: &PacketBody<S>, place: V3<S>, normal: V3<S>) -> V3<S> {
     match kind {
         Kind::Tube | Kind::Ring => normal,
-        Kind::Cylinder => chart::normal_of_cylinder(body, place),
+        Kind::Cylinder => cylinder::pattern_normal(body, place),
         Kind::Box | Kind::Model => die::normal_of_box(body, place),
     }
 }
@@ -86,9 +86,9 @@ pub fn darkness<S: Simd>(
     covered: &PixelShifts<S>,
 ) -> F<S> {
     match kind {
-        Kind::Tube => chart::on_tube(body, pattern, place, normal).darkness(pattern, covered),
-        Kind::Ring => chart::on_ring(body, place).darkness(pattern, covered),
-        Kind::Cylinder => chart::on_cylinder(body, pattern, place, normal).darkness(pattern, covered),
+        Kind::Tube => tube::chart(body, pattern, place, normal).darkness(pattern, covered),
+        Kind::Ring => ring::chart(body, place).darkness(pattern, covered),
+        Kind::Cylinder => cylinder::chart(body, pattern, place, normal).darkness(pattern, covered),
         Kind::Box | Kind::Model => die::darkness_of_box(body, pattern, place, normal, covered),
     }
 }

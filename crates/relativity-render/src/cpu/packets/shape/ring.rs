@@ -2,6 +2,7 @@
 
 use super::super::body::{PacketBody, PacketCapsule, RestRays, Surface};
 use super::super::ray::nearest_to;
+use super::pattern::chart::{OffAxis, SurfacePlaces, angle_to, arc_to};
 use crate::simd::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, no, select};
 
 /// Reached only where the ray grazes within rounding.
@@ -200,4 +201,22 @@ fn torus_normal<S: Simd>(place: V3<S>, body: &PacketBody<S>) -> V3<S> {
     let rho = from_axis.length().max(1e-30);
     let outward = place - from_axis * (body.form_w / rho);
     outward / outward.length().max(1e-30)
+}
+
+/// Returns the chart of a place on the body, in its own axes: the same way as `shaders/pattern_ring.wgsl`.
+#[inline(always)]
+pub fn chart<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> SurfacePlaces<S> {
+    let off = OffAxis::new(place);
+    let (along, along_gradient) = arc_to(off.distance - body.form_w, off.outward, place.z, body.radius);
+    let around = angle_to(place.y, place.x);
+    let around_gradient = off.around_gradient();
+    SurfacePlaces {
+        along,
+        along_gradient,
+        around,
+        around_gradient,
+        off_axis: off.distance,
+        level: body.form_w * around,
+        level_gradient: around_gradient * body.form_w,
+    }
 }

@@ -2,6 +2,8 @@
 
 use super::super::body::{Limits, PacketBody, PacketCapsule, RestRays, Surface};
 use super::super::ray::nearest_to;
+use super::pattern::chart::{OffAxis, SurfacePlaces, along_axis, angle_to, arc_to};
+use crate::scene::pattern::NUDGE;
 use crate::simd::lanes::{Simd, SimdFloat, SimdMask, V3, clamp, select};
 
 /// Margin beside the ends, in radii.
@@ -75,4 +77,27 @@ pub fn surface<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>, limits: Option<
         normal = V3::select(is_hit, from_axis / from_axis.length().max(1e-30), normal);
     }
     Surface { clearance, half_width: body.radius, outward, beyond, place, normal }
+}
+
+/// Returns the chart of a place on the body, in its own axes: the same way as `shaders/pattern_tube.wgsl`.
+#[inline(always)]
+pub fn chart<S: Simd>(
+    body: &PacketBody<S>,
+    pattern: [f32; 3],
+    place: V3<S>,
+    normal: V3<S>,
+) -> SurfacePlaces<S> {
+    let half = (body.form - body.place).length() * 0.5;
+    let off = OffAxis::new(place);
+    let beyond = place.z - clamp(place.z, -half, half);
+    let (arc, along_gradient) = arc_to(off.distance, off.outward, beyond, body.radius);
+    SurfacePlaces {
+        along: half + (place.z - beyond) + arc,
+        along_gradient,
+        around: angle_to(place.y, place.x),
+        around_gradient: off.around_gradient(),
+        off_axis: off.distance,
+        level: place.z - normal.z * (NUDGE as f32 * pattern[1]) + half,
+        level_gradient: along_axis(half.simd),
+    }
 }

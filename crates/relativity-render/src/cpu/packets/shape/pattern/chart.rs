@@ -1,26 +1,25 @@
-//! Charts of round shapes, and how dark a pattern is there: the same way as `shaders/pattern_tube.wgsl`,
-//! `pattern_ring.wgsl` and `pattern_cylinder.wgsl` have it. All in the body's own axes.
+//! Charts of round shapes, and how dark a pattern is there: the same way as `shaders/pattern.wgsl`. All in the
+//! body's own axes.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use super::coverage::{PixelShifts, line, wave};
-use crate::cpu::packets::body::PacketBody;
-use crate::scene::pattern::{LINE_REACH, NUDGE, Ruling};
-use crate::simd::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select, sign_of};
+use crate::scene::pattern::{LINE_REACH, Ruling};
+use crate::simd::lanes::{F, Simd, SimdFloat as _, V2, V3, all, select};
 
 /// A place on a round shape, in the shape's own coordinates.
 #[derive(Debug, Clone, Copy)]
 pub struct SurfacePlaces<S: Simd> {
     /// Arc along the axis, and its gradient.
-    along: F<S>,
-    along_gradient: V3<S>,
+    pub along: F<S>,
+    pub along_gradient: V3<S>,
     /// Angle around the axis, and its gradient.
-    around: F<S>,
-    around_gradient: V3<S>,
-    off_axis: F<S>,
+    pub around: F<S>,
+    pub around_gradient: V3<S>,
+    pub off_axis: F<S>,
     /// Coordinate that stripes lie across, and its gradient.
-    level: F<S>,
-    level_gradient: V3<S>,
+    pub level: F<S>,
+    pub level_gradient: V3<S>,
 }
 
 impl<S: Simd> SurfacePlaces<S> {
@@ -49,113 +48,35 @@ impl<S: Simd> SurfacePlaces<S> {
 
 /// A place about an axis: how far from it, and the unit vector from there.
 #[derive(Debug, Clone, Copy)]
-struct OffAxis<S: Simd> {
-    distance: F<S>,
-    outward: V2<S>,
+pub struct OffAxis<S: Simd> {
+    pub distance: F<S>,
+    pub outward: V2<S>,
 }
 
 impl<S: Simd> OffAxis<S> {
     #[inline(always)]
-    fn new(place: V3<S>) -> Self {
+    pub fn new(place: V3<S>) -> Self {
         let distance = V2::new(place.x, place.y).length().max(1e-30);
         Self { distance, outward: V2::new(place.x / distance, place.y / distance) }
     }
 
     /// Gradient of the angle around the axis.
     #[inline(always)]
-    fn around_gradient(&self) -> V3<S> {
+    pub fn around_gradient(&self) -> V3<S> {
         let zero = all(self.distance.simd, 0.0);
         V3::new(-self.outward.y / self.distance, self.outward.x / self.distance, zero)
     }
 }
 
 #[inline(always)]
-fn along_axis<S: Simd>(simd: S) -> V3<S> {
+pub fn along_axis<S: Simd>(simd: S) -> V3<S> {
     V3::all(simd, [0.0, 0.0, 1.0])
-}
-
-/// On a tube with rounded ends, or on a ball.
-#[inline(always)]
-pub fn on_tube<S: Simd>(
-    body: &PacketBody<S>,
-    pattern: [f32; 3],
-    place: V3<S>,
-    normal: V3<S>,
-) -> SurfacePlaces<S> {
-    let half = (body.form - body.place).length() * 0.5;
-    let off = OffAxis::new(place);
-    let beyond = place.z - clamp(place.z, -half, half);
-    let (arc, along_gradient) = arc_to(off.distance, off.outward, beyond, body.radius);
-    SurfacePlaces {
-        along: half + (place.z - beyond) + arc,
-        along_gradient,
-        around: angle_to(place.y, place.x),
-        around_gradient: off.around_gradient(),
-        off_axis: off.distance,
-        level: place.z - normal.z * (NUDGE as f32 * pattern[1]) + half,
-        level_gradient: along_axis(half.simd),
-    }
-}
-
-/// Returns the chart of a place on a ring.
-#[inline(always)]
-pub fn on_ring<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> SurfacePlaces<S> {
-    let off = OffAxis::new(place);
-    let (along, along_gradient) = arc_to(off.distance - body.form_w, off.outward, place.z, body.radius);
-    let around = angle_to(place.y, place.x);
-    let around_gradient = off.around_gradient();
-    SurfacePlaces {
-        along,
-        along_gradient,
-        around,
-        around_gradient,
-        off_axis: off.distance,
-        level: body.form_w * around,
-        level_gradient: around_gradient * body.form_w,
-    }
-}
-
-/// Returns the normal of the cylinder's side or of one of its ends: never a mean of both, where a pixel shows
-/// both.
-#[inline(always)]
-pub fn normal_of_cylinder<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> V3<S> {
-    let half = body.halves();
-    let zero = all(half.x.simd, 0.0);
-    let off = OffAxis::new(place);
-    let is_end = (half.z - place.z.abs()).simd_lt(half.x - off.distance);
-    let side = V3::new(off.outward.x, off.outward.y, zero);
-    V3::select(is_end, V3::new(zero, zero, sign_of(place.z)), side)
-}
-
-/// On a cylinder with flat ends.
-#[inline(always)]
-pub fn on_cylinder<S: Simd>(
-    body: &PacketBody<S>,
-    pattern: [f32; 3],
-    place: V3<S>,
-    normal: V3<S>,
-) -> SurfacePlaces<S> {
-    let half = body.halves();
-    let simd = half.x.simd;
-    let off = OffAxis::new(place);
-    let is_side = normal.z.simd_eq(0.0);
-    let on_end = half.z + normal.z * (half.z + half.x - off.distance);
-    let inward = V3::new(-normal.z * off.outward.x, -normal.z * off.outward.y, all(simd, 0.0));
-    SurfacePlaces {
-        along: select(is_side, place.z + half.z, on_end),
-        along_gradient: V3::select(is_side, along_axis(simd), inward),
-        around: angle_to(place.y, place.x),
-        around_gradient: off.around_gradient(),
-        off_axis: off.distance,
-        level: place.z - normal.z * (NUDGE as f32 * pattern[1]) + half.z,
-        level_gradient: along_axis(simd),
-    }
 }
 
 /// The arc from the outermost place of a circle of this `radius` to that in the direction of (`off`, `z`),
 /// and its gradient.
 #[inline(always)]
-fn arc_to<S: Simd>(off: F<S>, outward: V2<S>, z: F<S>, radius: F<S>) -> (F<S>, V3<S>) {
+pub fn arc_to<S: Simd>(off: F<S>, outward: V2<S>, z: F<S>, radius: F<S>) -> (F<S>, V3<S>) {
     let length = V2::new(off, z).length().max(1e-30);
     let gradient = V3::new(-outward.x * z / length, -outward.y * z / length, off / length);
     (radius * angle_to(z, off), gradient)
@@ -163,7 +84,7 @@ fn arc_to<S: Simd>(off: F<S>, outward: V2<S>, z: F<S>, radius: F<S>) -> (F<S>, V
 
 /// atan2(y, x), within 1e-6.
 #[inline(always)]
-fn angle_to<S: Simd>(y: F<S>, x: F<S>) -> F<S> {
+pub fn angle_to<S: Simd>(y: F<S>, x: F<S>) -> F<S> {
     let (width, height) = (x.abs(), y.abs());
     let slope = width.min(height) / width.max(height).max(1e-30);
     let s = slope * slope;
