@@ -69,8 +69,16 @@ fn per_octave_of(row: i32) -> f32 {
     return select(select(GLOW_PER_OCTAVE, -LINE_PER_OCTAVE, row == LINE_ROW), SUNLIT_PER_OCTAVE, row >= FIRST_SUNLIT);
 }
 
-// `light` as `Light::packed` in `light/screen_light.rs` has it. Of `paint` the last number is below 0 where
-// there is none, else it is one more than the number of a measured material, or 0 for the others.
+// `light`, as `Light::packed` in `light/screen_light.rs` has it, with the exposure of the picture.
+fn exposed(light: vec4f) -> vec4f {
+    if SPECTRUM == 0u {
+        return vec4f(light.rgb * frame.exposure.y, light.a);
+    }
+    return vec4f(light.xyz, light.w + frame.exposure.x);
+}
+
+// `light` is exposed. Of `paint` the last number is below 0 where there is none, else it is one more than the
+// number of a measured material, or 0 for the others.
 fn of_place(light: vec4f, octaves: f32, shift: f32, paint: vec4f) -> vec4f {
     var row = kind_of(light, paint);
     var place: f32;

@@ -65,6 +65,8 @@ struct FrameUniform {
     // How much the Doppler factor moves the place in that row, and the row's logarithm counts; the exponent
     // of the Doppler factor; log2 of the exposure.
     street_light: vec4f,
+    // Of bodies: log2 of the exposure, and the exposure.
+    exposure: vec4f,
     // xyz: from the middle between the eyes to the camera, where these have one light cone, else 0; w: how
     // many places there are where bodies touch a road.
     contact_eye: vec4f,

@@ -46,7 +46,7 @@ fn rectangle(@builtin(vertex_index) vertex: u32, piece: Piece) -> Fragment {
         piece.place_radius,
         piece.form,
         piece.turn,
-        piece.light,
+        exposed(piece.light),
         piece.second_axis_index_brightness.zw,
         piece.pattern,
         piece.spin,

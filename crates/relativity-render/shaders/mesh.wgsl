@@ -184,7 +184,7 @@ fn corner(corner: Corner, instance: MeshInstance) -> Fragment {
         shape.normal,
         seen.position,
         seen.doppler,
-        instance.light,
+        exposed(instance.light),
         instance.width_brightness_index,
         instance.place_radius,
         instance.form,

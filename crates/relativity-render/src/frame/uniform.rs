@@ -10,6 +10,7 @@ use crate::camera::{Axes, Camera, Gauge};
 use crate::geometry::extent::Extent;
 use crate::kinematics::relative_velocity::RelativeVelocity;
 use crate::light::hatch::Hatch;
+use crate::light::screen_light::packed_exposure;
 use crate::scene::prepared_body::packed;
 use crate::scene::prepared_scene::{PreparedGroup, PreparedScene};
 use crate::street::backdrop::{Backdrop, Floor};
@@ -86,6 +87,8 @@ pub struct FrameUniform {
     /// Shift of the street's light: see
     /// [`StreetLight::packed`](crate::light::street_light::StreetLight::packed).
     pub street_light: [f32; 4],
+    /// Exposure of bodies: its log2, and its factor.
+    pub exposure: [f32; 4],
     /// From the middle between the eyes to the camera, where these have one light cone, else 0; how many
     /// places there are where bodies touch a road.
     pub contact_eye: [f32; 4],
@@ -260,6 +263,7 @@ impl FrameUniform {
             street_speed: street.packed_speed(),
             street_motion: street.packed_motion(&street_light),
             street_light: street_light.packed(),
+            exposure: packed_exposure(appearance),
             contact_eye: [0.0; 4],
             contacts: [[[0.0; 4]; 2]; contact::MOST],
             houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),

@@ -110,7 +110,7 @@ impl Shot<'_> {
         self.appearance.map_or([0.0; 4], |appearance| {
             let view = &self.views[body.group];
             let effects = view.effects(view.turns(body), appearance);
-            Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32)
+            Light::new(body.emission, appearance).packed(appearance, effects)
         })
     }
 }

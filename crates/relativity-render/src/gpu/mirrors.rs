@@ -65,7 +65,7 @@ macro_rules! mirror {
 /// The uniform blocks that both sides state.
 pub const BLOCKS: [Mirror; 2] = [
     mirror!(
-        FrameUniform: base, right, down, radial, pole, speed, motion, oblique, group_axes, reference_axes, to_street, street_axes, rising, on_ground, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, street_speed, street_motion, street_light, contact_eye, contacts, houses, openings, backdrop, hatch,
+        FrameUniform: base, right, down, radial, pole, speed, motion, oblique, group_axes, reference_axes, to_street, street_axes, rising, on_ground, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, street_speed, street_motion, street_light, exposure, contact_eye, contacts, houses, openings, backdrop, hatch,
         clip_right, clip_up, forward
     ),
     mirror!(Composing: first, second, top),

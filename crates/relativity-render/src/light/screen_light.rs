@@ -21,8 +21,8 @@ use crate::scene::body::Emission;
 use crate::view::effects::{Effects, Spectrum};
 use crate::view::{Appearance, Colour};
 
-/// log2 of how many times white is brighter than black, dark at any exposure.
-const LOG2_DARKNESS: f64 = 1e4;
+/// log2 of how bright black is beside white, dark at any exposure.
+const LOG2_DARKNESS: f64 = -1e4;
 /// The most that light is, before any exposure and after it.
 const MOST_LIGHT: f64 = 1e300;
 
@@ -186,47 +186,54 @@ impl Light {
         }
     }
 
-    /// Returns the light as the shaders read it: see `colour_of` there.
+    /// Returns the light as the shaders read it, before any exposure: see `exposed` and `colour_of` there.
     ///
     /// Smooth paint that is not grey is the shares of red and green in it, the exponent n of D^n, and log2 of
-    /// the sum of its primaries, exposed. Any other light is one less than the negative of its row in the
-    /// tables, its place there at rest, n, and log2 of its exposure. At rest it is linear sRGB, exposed, and
-    /// the unseen share.
-    pub(crate) fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
-        let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
+    /// the sum of its primaries. Any other light is one less than the negative of its row in the tables, its
+    /// place there at rest, n, and log2 of a factor. At rest it is linear sRGB, and the unseen share.
+    pub(crate) fn packed(self, appearance: &Appearance, effects: Effects) -> [f32; 4] {
+        self.unexposed(appearance, effects).map(|part| part as f32)
+    }
+
+    fn unexposed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
+        let exponent = self.exponent(appearance);
         let in_row = |row: Row, log2: f64, level: f64| {
             let number = -1.0 - row.number() as f64;
-            [number, row.range().place(log2), exponent, exposure - level]
+            [number, row.range().place(log2), exponent, level]
         };
         match (effects.spectrum(), self) {
             (_, Self::Map) => [0.0; 4],
             (Spectrum::AtRest, _) => {
-                let exposed = self.exposed(appearance, 1.0, None);
-                let held = MOST_PACKED / exposed.into_iter().fold(MOST_PACKED, f64::max);
-                let [red, green, blue] = exposed.map(|part| part * held);
+                let [red, green, blue] = on_screen(self.received(0.0, 0.0, None));
                 let unseen = if appearance.invisible { self.unseen(0.0, None) } else { 0.0 };
                 [red, green, blue, unseen]
             }
             (_, Self::Line(nm)) => in_row(Row::Line, log2(nm), 0.0),
-            (_, Self::Glow(kelvin)) => in_row(Row::Glow, log2(kelvin), black_body(log2(kelvin)).log2_level),
+            (_, Self::Glow(kelvin)) => in_row(Row::Glow, log2(kelvin), -black_body(log2(kelvin)).log2_level),
             (_, Self::Painted(Paint::Measured(material))) => {
                 in_row(Row::Sunlit(sunlit::row_of(material)), 0.0, 0.0)
             }
             (_, Self::Painted(Paint::Smooth(paint))) => {
                 let [red, green, blue] = paint;
                 if red == green && green == blue {
-                    let level = if red > 0.0 { -log2(red) } else { LOG2_DARKNESS };
+                    let level = if red > 0.0 { log2(red) } else { LOG2_DARKNESS };
                     return in_row(Row::Sunlit(sunlit::WHITE), 0.0, level);
                 }
                 let sum = red + green + blue;
-                [red / sum, green / sum, exponent, exposure + log2(sum)]
+                [red / sum, green / sum, exponent, log2(sum)]
             }
         }
     }
 }
 
-/// The most that packed light is: floats hold its product with paint.
-const MOST_PACKED: f64 = 1e30;
+/// The greatest factor of an exposure: floats hold its product with light.
+const MOST_EXPOSED: f64 = 1e30;
+
+/// Returns log2 of the exposure and its factor, as the shaders read them.
+pub(crate) fn packed_exposure(appearance: &Appearance) -> [f32; 4] {
+    let factor = exp2(appearance.exposure_ev).min(MOST_EXPOSED);
+    [appearance.exposure_ev as f32, factor as f32, 0.0, 0.0]
+}
 
 /// A black body of the temperature `kelvin` at rest, times 2^`log2_factor`.
 fn glow(kelvin: f64, shift: f64, log2_factor: f64) -> [f64; 3] {

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use crate::cpu::packets::light::colour::exposed;
 use crate::frame::pipeline_key::AmongOthers;
 use crate::frame::uniform::FrameUniform;
 use crate::light::hatch::Hatch;
@@ -100,9 +101,11 @@ impl<'a> Look<'a> {
     /// The light of `body` for the formulas.
     pub fn light(&self, body: &PreparedBody, turns: Turns, appearance: &Appearance) -> [f32; 4] {
         let effects = self.effects(body.group, turns, appearance);
-        let light =
-            || Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32);
         let is_changed = effects.spectrum() != Spectrum::AtRest;
+        let light = || {
+            let light = Light::new(body.emission, appearance).packed(appearance, effects);
+            exposed(light, self.frame().exposure, is_changed)
+        };
         *self.lights[body.emission_number as usize][usize::from(is_changed)].get_or_init(light)
     }
 }

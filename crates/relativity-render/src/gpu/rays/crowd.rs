@@ -47,11 +47,11 @@ pub struct Crowd {
     batches: Batches<Piece, ()>,
 }
 
-/// The origin of the data of bodies: a change of any of it changes them.
+/// The origin of the data of bodies: a change of any of it changes them. Exposure does not.
 #[derive(Debug, PartialEq)]
 struct Held {
     scene: PreparedScene,
-    appearance: Option<Appearance>,
+    unexposed: Option<Appearance>,
     /// Effects of each group.
     effects: Vec<Option<Effects>>,
 }
@@ -168,13 +168,17 @@ impl Crowd {
 impl Held {
     fn of(shot: &Shot<'_>) -> Self {
         let effects = Self::effects(shot).collect();
-        Self { scene: shot.scene.clone(), appearance: shot.appearance.copied(), effects }
+        Self { scene: shot.scene.clone(), unexposed: Self::unexposed(shot), effects }
     }
 
     fn is_of(&self, shot: &Shot<'_>) -> bool {
         self.scene == *shot.scene
-            && self.appearance.as_ref() == shot.appearance
+            && self.unexposed == Self::unexposed(shot)
             && Self::effects(shot).eq(self.effects.iter().copied())
+    }
+
+    fn unexposed(shot: &Shot<'_>) -> Option<Appearance> {
+        shot.appearance.map(|&appearance| Appearance { exposure_ev: 0.0, ..appearance })
     }
 
     fn effects(shot: &Shot<'_>) -> impl Iterator<Item = Option<Effects>> {

@@ -12,6 +12,15 @@ use crate::light::shade::FORM;
 use crate::simd::lanes::{F, LANES, Simd, SimdFrom as _, V3, all};
 use crate::view::effects::{Effects, Spectrum};
 
+/// Returns `light`, as [`Light::packed`](crate::light::screen_light::Light::packed) has it, with this
+/// [`exposure`](crate::frame::uniform::FrameUniform::exposure): light that is looked up in tables, or that at
+/// rest.
+pub fn exposed(light: [f32; 4], exposure: [f32; 4], is_looked_up: bool) -> [f32; 4] {
+    let [log2_exposure, factor, _, _] = exposure;
+    let [x, y, z, w] = light;
+    if is_looked_up { [x, y, z, w + log2_exposure] } else { [x * factor, y * factor, z * factor, w] }
+}
+
 #[inline(always)]
 fn of_place<S: Simd>(
     effects: Effects,
@@ -101,9 +110,9 @@ impl Hatched<'_> {
     }
 }
 
-/// Linear sRGB of a body with this [`Light::packed`](crate::light::screen_light::Light::packed) where it is
-/// received with this Doppler factor, before its brightness; `facing` the street's daylight, where that
-/// lights it, on the smooth `paint` of a model, and `hatched` in these pixels.
+/// Linear sRGB of a body with this [`exposed`] light where it is received with this Doppler factor, before
+/// its brightness; `facing` the street's daylight, where that lights it, on the smooth `paint` of a model,
+/// and `hatched` in these pixels.
 #[expect(clippy::too_many_arguments, reason = "light, what it falls on, and how pictures look")]
 #[inline(always)]
 pub fn received_colour<S: Simd>(
@@ -138,7 +147,7 @@ mod tests {
     use crate::colour::srgb_encoded;
     use crate::cpu::packets::testing::at_every_level;
     use crate::light::daylight;
-    use crate::light::screen_light::{Light, ScreenLight};
+    use crate::light::screen_light::{Light, ScreenLight, packed_exposure};
     use crate::light::shade::form;
     use crate::scene::body::Emission;
     use crate::view::{Appearance, Colour, Shading};
@@ -182,6 +191,12 @@ mod tests {
         appearances
     }
 
+    /// The exposed light for the formulas.
+    fn packed(light: Light, appearance: &Appearance, effects: Effects) -> [f32; 4] {
+        let is_looked_up = effects.spectrum() != Spectrum::AtRest;
+        exposed(light.packed(appearance, effects), packed_exposure(appearance), is_looked_up)
+    }
+
     /// D from 1e-6 to 1e6.
     fn doppler_factors() -> Vec<[f32; LANES]> {
         let factors: Vec<_> =
@@ -208,7 +223,7 @@ mod tests {
             let effects = Effects::new(true, &appearance);
             for emission in emissions {
                 let light = Light::new(emission, &appearance);
-                let packed = light.packed(&appearance, effects).map(|part| part as f32);
+                let packed = packed(light, &appearance, effects);
                 let mut first: Option<Vec<_>> = None;
                 at_every_level!(simd => {
                     let mut bits = Vec::new();
@@ -268,7 +283,7 @@ mod tests {
                 Emission::Wavelength(640.0),
             ] {
                 let light = Light::new(emission, &appearance);
-                let packed = light.packed(&appearance, effects).map(|part| part as f32);
+                let packed = packed(light, &appearance, effects);
                 at_every_level!(simd => {
                     let facing = Facings { rapid: all(simd, rapid as f32), ahead: all(simd, ahead as f32) };
                     for factors in doppler_factors() {
