@@ -37,16 +37,19 @@ fn main() {
         "map",
         [part(true, Presence::On), part(true, Presence::Off)].map(|parts| Shown::new(parts, true)),
     );
-    compare("riding", [riding(), part(true, Presence::Off)].map(|state| Shown::new(state, true)));
+    compare("riding", [riding("coast"), part(true, Presence::Off)].map(|state| Shown::new(state, true)));
+    let legs: Vec<_> = (0..1000).map(|leg| if leg / 2 % 2 == 0 { "0.02@0.4" } else { "0.02@-0.4" }).collect();
+    compare("legs", [riding(&legs.join(",")), riding("coast")].map(|state| Shown::new(state, true)));
     compare("painting", [true, false].map(|is_painted| Shown::new(part(true, Presence::Off), is_painted)));
 }
 
-/// The same street from a bicycle at 0.9 c.
-fn riding() -> State {
+/// The same street from a bicycle at 0.9 c, with these legs.
+fn riding(legs: &str) -> State {
     let mut state = State::new(Settings::default(), Scene::default());
     state.run(RideCommand::Toggle);
     let mut settings = Settings::clone(&state.document.settings);
     settings.ride.ride_speed = "0.9".parse().expect("a velocity");
+    settings.ride.ride = legs.parse().expect("legs");
     settings.window.map = Presence::Off;
     state.run(RideCommand::Set(settings.ride.clone()));
     state.run(SettingsCommand::Window(settings.window));
