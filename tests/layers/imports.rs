@@ -76,11 +76,20 @@ impl Tree {
             // A crate may be called as a name that is imported from it.
             return (whole != path).then(|| self.file(at, &whole, chain - 1)).flatten();
         }
+        // An import of all that is in another crate begins with no name of this module. It is not followed:
+        // two of them would look for the beginnings of each other.
+        let begins_here = |glob: &&Path| {
+            let child: Path = at.iter().chain(glob.first()).cloned().collect();
+            ["crate", "self", "super", &self.name].contains(&glob[0].as_str())
+                || self.modules.contains_key(&child)
+                || module.items.contains(&glob[0])
+                || module.imports.contains_key(&glob[0])
+        };
         let source = |glob: &Path| {
             let whole: Path = glob.iter().chain(path).cloned().collect();
             self.file(at, &whole, chain - 1)
         };
-        module.globs.iter().find_map(source)
+        module.globs.iter().filter(begins_here).find_map(source)
     }
 }
 

@@ -14,7 +14,9 @@ use gamow::app::state::files::purpose::Purpose;
 
 use super::Test;
 use super::picking::click;
-use super::support::{Wakes, cyclist, labels, open, pane, rest, wait_for_file, wait_for_rest, window};
+use super::support::{
+    Wakes, cyclist, labels, open, pane, rest, wait_for_file, wait_for_rest, window, window_without_pictures,
+};
 
 pub const TESTS: &[Test] = trials![
     the_last_of_two_files_is_shown,
@@ -162,7 +164,7 @@ fn the_last_of_two_files_is_shown() {
     let large =
         file(folder.path(), "large.toml", &("name = \"Large\"\n".to_owned() + &rows.collect::<String>()));
     let balls = file(folder.path(), "balls.toml", BALLS);
-    let mut window = window(cyclist(0.9));
+    let mut window = window_without_pictures(cyclist(0.9), [1120.0, 700.0]);
     let before = window.state().state().clone();
     window.state_mut().run(FileCommand::Open(large.clone()));
     // Nothing waits for it, and nothing has changed.

@@ -12,7 +12,7 @@ use gamow::settings::{PlotTab, Settings};
 
 use super::Test;
 use super::controls::controls;
-use super::support::{PaintedText, labels, painted_texts, pane, window_of_size};
+use super::support::{PaintedText, labels, painted_texts, pane, window_of_size, window_without_pictures};
 
 pub const TESTS: &[Test] = trials![
     the_pictures_have_half_of_the_height_at_first_sight,
@@ -27,7 +27,7 @@ pub const TESTS: &[Test] = trials![
 fn first_window(size: [f32; 2]) -> Harness<'static, App> {
     let folder = tempfile::tempdir().expect("a folder");
     let settings = Keeper::in_folder(folder.path()).load().settings;
-    window_of_size(State::open(settings).expect("a preset"), size, 1.0)
+    window_without_pictures(State::open(settings).expect("a preset"), size)
 }
 
 fn the_pictures_have_half_of_the_height_at_first_sight() {

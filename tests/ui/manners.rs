@@ -16,7 +16,7 @@ use super::Test;
 use super::picking::{FRONT_TYRE, click};
 use super::support::{
     FRAME, cyclist, label_starting_with, labels, open, painted_texts, pane, slider, wide_window, window,
-    window_of_size,
+    window_of_size, window_without_pictures,
 };
 
 pub const TESTS: &[Test] = trials![
@@ -49,7 +49,7 @@ const SIZES: [[f32; 2]; 4] = [[800.0, 600.0], [900.0, 600.0], [1024.0, 600.0], [
 fn with_message(size: [f32; 2], text: &str) -> Harness<'static, App> {
     let mut state = cyclist(0.9);
     state.scratch.notice = Some(gamow::app::state::notice::Notice::error(text));
-    window_of_size(state, size, 1.0)
+    window_without_pictures(state, size)
 }
 
 /// Where the controls called so are.
@@ -388,7 +388,7 @@ fn no_tooltip_covers_what_was_dragged() {
 fn no_writing_in_the_window_is_smaller_than_eleven_points() {
     for size in [[800.0, 600.0], [1280.0, 800.0]] {
         for present in [false, true] {
-            let mut window = window_of_size(cyclist(0.9), size, 1.0);
+            let mut window = window_without_pictures(cyclist(0.9), size);
             window.state_mut().run(ShowCommand::Preset(&gamow::settings::Preset::all()[0]));
             if present {
                 window.state_mut().run(WindowCommand::TogglePresenting);

@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 use gamow::settings::Settings;
 
 use super::Test;
+use super::support::sweep;
 
 pub const TESTS: &[Test] = trials![
     a_screenshot_has_the_size_asked_for_and_shows_the_state,
@@ -52,7 +53,7 @@ fn a_screenshot_has_the_size_asked_for_and_shows_the_state() {
         &["--beta", "0.9", "--time", "1", "--renderer", "mesh"],
         &["--beta", "0.9", "--time", "1", "--geometry", "published"],
     ];
-    for arguments in others {
+    for arguments in others.into_iter().step_by(sweep([3, 1])) {
         let (_, other) = screenshot(folder.path(), "other.png", arguments);
         assert!(other != fast, "{arguments:?} changes nothing");
     }

@@ -12,7 +12,9 @@ use gamow::settings::{MotionSettings, Settings};
 
 use super::Test;
 use super::picking::click;
-use super::support::{cyclist, drag, in_layout, slider, type_into, wide_window, window, window_of_size};
+use super::support::{
+    cyclist, drag, in_layout, slider, type_into, wide_window, window, window_of_size, window_without_pictures,
+};
 
 pub const TESTS: &[Test] = trials![
     a_drag_is_one_step_and_comes_back_by_keys_and_buttons,
@@ -209,7 +211,7 @@ fn double_click(window: &mut Harness<'_, App>, place: eframe::egui::Pos2) {
 }
 
 fn a_double_click_on_a_slider_or_its_name_restores_it() {
-    let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
+    let mut window = window_without_pictures(cyclist(0.9), [1280.0, 1600.0]);
     for name in ["Separation d", "Distance y", "Height z", "Head tilted", "Head turned"] {
         let rail = slider(&window, name);
         let row_name =

@@ -76,7 +76,7 @@ fn pictures_are_the_references(renderers: &mut Renderers) {
     bodies[1].brightness = 0.4;
     bodies[3].emission = Emission::WHITE;
     let reference = PreparedScene::moving(&bodies);
-    agree_with_the_reference(renderers, &reference, &appearances(), (0, 5));
+    agree_with_the_reference(renderers, &reference, &appearances(), (0, 8));
 }
 
 /// Every pattern, coarse and finer than pixels.

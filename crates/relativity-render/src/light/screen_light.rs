@@ -273,6 +273,14 @@ pub fn received_intensity(emission: Emission, appearance: &Appearance, doppler_f
     received / at_rest
 }
 
+/// Returns `light`, as [`Light::packed`] has it, with this packed `exposure`: light that is looked up in
+/// tables, or that at rest. Shaders have the same.
+pub(crate) fn exposed(light: [f32; 4], exposure: [f32; 4], is_looked_up: bool) -> [f32; 4] {
+    let [log2_exposure, factor, _, _] = exposure;
+    let [x, y, z, w] = light;
+    if is_looked_up { [x, y, z, w + log2_exposure] } else { [x * factor, y * factor, z * factor, w] }
+}
+
 /// log2 of how bright a glow is at `doppler_factor`, beside itself at rest.
 pub(crate) fn log2_glow(kelvin: f64, doppler_factor: f64) -> f64 {
     black_body(log2(kelvin * doppler_factor)).log2_level - black_body(log2(kelvin)).log2_level

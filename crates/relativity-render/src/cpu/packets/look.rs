@@ -2,11 +2,10 @@
 
 use std::sync::OnceLock;
 
-use crate::cpu::packets::light::colour::exposed;
 use crate::frame::pipeline_key::AmongOthers;
 use crate::frame::uniform::FrameUniform;
 use crate::light::hatch::Hatch;
-use crate::light::screen_light::Light;
+use crate::light::screen_light::{Light, exposed};
 use crate::scene::prepared_body::PreparedBody;
 use crate::scene::prepared_scene::PreparedScene;
 use crate::scene::wheel::packed::{TurningStart, Turns};

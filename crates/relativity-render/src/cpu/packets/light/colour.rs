@@ -12,15 +12,6 @@ use crate::light::shade::FORM;
 use crate::simd::lanes::{F, LANES, Simd, SimdFrom as _, V3, all};
 use crate::view::effects::{Effects, Spectrum};
 
-/// Returns `light`, as [`Light::packed`](crate::light::screen_light::Light::packed) has it, with this
-/// [`exposure`](crate::frame::uniform::FrameUniform::exposure): light that is looked up in tables, or that at
-/// rest.
-pub fn exposed(light: [f32; 4], exposure: [f32; 4], is_looked_up: bool) -> [f32; 4] {
-    let [log2_exposure, factor, _, _] = exposure;
-    let [x, y, z, w] = light;
-    if is_looked_up { [x, y, z, w + log2_exposure] } else { [x * factor, y * factor, z * factor, w] }
-}
-
 #[inline(always)]
 fn of_place<S: Simd>(
     effects: Effects,
@@ -110,9 +101,9 @@ impl Hatched<'_> {
     }
 }
 
-/// Linear sRGB of a body with this [`exposed`] light where it is received with this Doppler factor, before
-/// its brightness; `facing` the street's daylight, where that lights it, on the smooth `paint` of a model,
-/// and `hatched` in these pixels.
+/// Linear sRGB of a body with this [`exposed`](crate::light::screen_light::exposed) light where it is
+/// received with this Doppler factor, before its brightness; `facing` the street's daylight, where that
+/// lights it, on the smooth `paint` of a model, and `hatched` in these pixels.
 #[expect(clippy::too_many_arguments, reason = "light, what it falls on, and how pictures look")]
 #[inline(always)]
 pub fn received_colour<S: Simd>(
@@ -147,7 +138,7 @@ mod tests {
     use crate::colour::srgb_encoded;
     use crate::cpu::packets::testing::at_every_level;
     use crate::light::daylight;
-    use crate::light::screen_light::{Light, ScreenLight, packed_exposure};
+    use crate::light::screen_light::{Light, ScreenLight, exposed, packed_exposure};
     use crate::light::shade::form;
     use crate::scene::body::Emission;
     use crate::view::{Appearance, Colour, Shading};

@@ -172,8 +172,8 @@ fn ellipse<S: Simd>(x: F<S>, y: F<S>, radius: F<S>, cosine: F<S>) -> Ellipse<S> 
     }
 }
 
-/// Returns the normal of the side or of one of the ends, in the body's own axes: never a mean of both, where a
-/// pixel shows both.
+/// Returns the normal of the side or of an end, in the body's own axes: never a mean of both, where a pixel
+/// shows both.
 #[inline(always)]
 pub fn pattern_normal<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> V3<S> {
     let half = body.halves();
@@ -184,7 +184,7 @@ pub fn pattern_normal<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> V3<S> {
     V3::select(is_end, V3::new(zero, zero, sign_of(place.z)), side)
 }
 
-/// Returns the chart of a place on the body, in its own axes: the same way as `shaders/pattern_cylinder.wgsl`.
+/// Returns the chart of a place on the body, in its own axes, as `shaders/pattern_cylinder.wgsl` has it.
 #[inline(always)]
 pub fn chart<S: Simd>(
     body: &PacketBody<S>,
