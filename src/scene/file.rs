@@ -51,7 +51,7 @@ fn changed_scene(text: &str, changes: Changes, files: ModelFiles<'_>) -> Result<
         "name", "rider", "metres", "tracked", "ground_z", "street", "sunlit", "include", "wheel", "model",
         "object", "group",
     ])?;
-    let name = top.needed_string("name")?.to_owned();
+    let name = top.needed("name", Table::string)?.to_owned();
     let rider = top.string("rider")?.unwrap_or(RIDER).to_owned();
     let (metres, ground_z) = (top.size("metres")?, top.coordinate("ground_z")?);
     let (street, sunlit) = (street(&top)?, top.truth("sunlit")?.unwrap_or(false));
@@ -123,7 +123,7 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
     }
     for table in tables {
         table.check_keys(&["name", "beta", "include", "wheel", "model", "object"])?;
-        let (name, motion) = (table.needed_string("name")?.to_owned(), motion(&table)?);
+        let (name, motion) = (table.needed("name", Table::string)?.to_owned(), motion(&table)?);
         let own = objects(&table, changes)?;
         groups.push(SceneGroup { name, motion, first: all.len(), count: own.len() });
         room.take(&own, table.span)?;
@@ -210,7 +210,7 @@ fn labels(includes: &[Table]) -> Vec<Rc<str>> {
 /// from others of the same name by `label`.
 fn included(include: &Table, label: &Rc<str>, changes: Changes) -> Result<Vec<Object>, Located> {
     include.check_keys(&["scene", "offset", "wheels"])?;
-    let name = include.needed_string("scene")?;
+    let name = include.needed("scene", Table::string)?;
     let own = include
         .table("wheels", "`wheels` of an include")?
         .map(|wheels| Changes::from_table(&wheels))

@@ -28,7 +28,7 @@ pub(super) fn emission(object: &Table) -> Result<Emission, Located> {
         }
         Some("material") => Emission::Painted(Paint::Measured(material(object)?)),
         Some("paint") => Emission::Painted(Paint::Smooth(paint(object, "paint")?)),
-        Some("glow_k") => Emission::Glowing(object.needed_size("glow_k")?),
+        Some("glow_k") => Emission::Glowing(object.needed("glow_k", Table::size)?),
         _ => Emission::Wavelength(object.size("wavelength_nm")?.unwrap_or(DEFAULT_WAVELENGTH_NM)),
     })
 }
@@ -51,7 +51,7 @@ pub(super) fn measured(name: &str) -> Result<Option<Material>, String> {
 }
 
 fn material(object: &Table) -> Result<Material, Located> {
-    let name = object.needed_string("material")?;
+    let name = object.needed("material", Table::string)?;
     Material::named(name).ok_or_else(|| {
         let nearest = nearest_to(name);
         object.problem_at("material", |value| SceneProblem::UnknownMaterial { value, nearest })
@@ -64,7 +64,7 @@ fn nearest_to(name: &str) -> String {
 
 /// Parses a colour in sRGB, as web pages write it, to linear parts.
 pub(super) fn paint(object: &Table, key: &'static str) -> Result<[f64; 3], Located> {
-    let text = object.needed_string(key)?;
+    let text = object.needed(key, Table::string)?;
     let digits = text.strip_prefix('#').filter(|digits| digits.len() == 6);
     let is_hexadecimal = |digits: &&str| digits.bytes().all(|digit| digit.is_ascii_hexdigit());
     let colour = digits.filter(is_hexadecimal).and_then(|digits| u32::from_str_radix(digits, 16).ok());

@@ -48,7 +48,7 @@ impl Object {
 
 /// Parses an object.
 pub(super) fn object(mut object: Table) -> Result<Object, Located> {
-    let asked = object.needed_string("shape")?;
+    let asked = object.needed("shape", Table::string)?;
     let Some(&(_, owner, read)) = SHAPES.iter().find(|(name, ..)| *name == asked) else {
         return Err(
             object.problem_at("shape", |shape| SceneProblem::UnknownShape { shape, known: known_shapes() })
@@ -113,7 +113,10 @@ fn pattern(object: &Table, shape: &Shape) -> Result<Pattern, Located> {
 
 fn sphere(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["centre", "radius"])?;
-    Ok(Shape::Sphere { centre: object.needed_point("centre")?, radius: object.needed_size("radius")? })
+    Ok(Shape::Sphere {
+        centre: object.needed("centre", Table::point)?,
+        radius: object.needed("radius", Table::size)?,
+    })
 }
 
 fn tube(object: &Table) -> Result<Shape, Located> {
@@ -123,10 +126,10 @@ fn tube(object: &Table) -> Result<Shape, Located> {
 
 fn ring(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["centre", "axis", "radius", "tube_radius"])?;
-    let centre = object.needed_point("centre")?;
-    let axis = object.needed_direction("axis")?;
-    let radius = object.needed_size("radius")?;
-    let tube_radius = object.needed_size("tube_radius")?;
+    let centre = object.needed("centre", Table::point)?;
+    let axis = object.needed("axis", Table::direction)?;
+    let radius = object.needed("radius", Table::size)?;
+    let tube_radius = object.needed("tube_radius", Table::size)?;
     if tube_radius >= radius {
         let radius = object.quoted_value("radius");
         return Err(
@@ -138,7 +141,7 @@ fn ring(object: &Table) -> Result<Shape, Located> {
 
 fn cuboid(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["centre", "size", "axis", "angle"])?;
-    let centre = object.needed_point("centre")?;
+    let centre = object.needed("centre", Table::point)?;
     let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
     let turn = object.turn("the box")?;
     Ok(Shape::Box { centre, half, turn: turn.to_array() })
@@ -155,10 +158,10 @@ fn ends_and_radius(
     no_axis: fn(String) -> SceneProblem,
 ) -> Result<([f64; 3], [f64; 3], f64), Located> {
     check_keys(object, &["from", "to", "radius"])?;
-    let from = object.needed_point("from")?;
-    let to = object.needed_point("to")?;
+    let from = object.needed("from", Table::point)?;
+    let to = object.needed("to", Table::point)?;
     if coincide(from, to) {
         return Err(object.problem_at("to", no_axis));
     }
-    Ok((from, to, object.needed_size("radius")?))
+    Ok((from, to, object.needed("radius", Table::size)?))
 }

@@ -47,6 +47,15 @@ impl<'a> Table<'a> {
         Err(Located { span: first.span(), problem })
     }
 
+    /// The value that `read` finds at the key, which must be there.
+    pub fn needed<T>(
+        &self,
+        key: &'static str,
+        read: impl FnOnce(&Self, &'static str) -> Result<Option<T>, Located>,
+    ) -> Result<T, Located> {
+        read(self, key)?.ok_or_else(|| self.missing(key))
+    }
+
     /// A coordinate, if the key is there.
     pub fn coordinate(&self, key: &'static str) -> Result<Option<f64>, Located> {
         self.value(key).map(|value| self.coordinate_of(key, value, "a number")).transpose()
@@ -59,7 +68,8 @@ impl<'a> Table<'a> {
 
     /// A point, if the key is there.
     pub fn point(&self, key: &'static str) -> Result<Option<[f64; 3]>, Located> {
-        self.value(key).map(|value| self.point_of(key, value)).transpose()
+        let expected = "three numbers [x, y, z]";
+        self.value(key).map(|value| self.coordinates_of(key, value, expected)).transpose()
     }
 
     /// Returns the number at the key, if that exists.
@@ -73,11 +83,6 @@ impl<'a> Table<'a> {
         count.map(Some).ok_or_else(|| self.wrong_type(key, value, "a whole number between 1 and 1000"))
     }
 
-    /// Returns the number at the key, which must exist.
-    pub fn needed_count(&self, key: &'static str) -> Result<usize, Located> {
-        self.count(key)?.ok_or_else(|| self.missing(key))
-    }
-
     /// A truth value, if the key is there.
     pub fn truth(&self, key: &'static str) -> Result<Option<bool>, Located> {
         let Some(value) = self.value(key) else { return Ok(None) };
@@ -85,20 +90,9 @@ impl<'a> Table<'a> {
         truth.map(Some).ok_or_else(|| self.wrong_type(key, value, "true or false"))
     }
 
-    /// A string that must be there.
-    pub fn needed_string(&self, key: &'static str) -> Result<&'a str, Located> {
-        self.string(key)?.ok_or_else(|| self.missing(key))
-    }
-
     /// A string, if the key is there.
     pub fn string(&self, key: &'static str) -> Result<Option<&'a str>, Located> {
-        let Some(value) = self.value(key) else { return Ok(None) };
-        let text = value.get_ref().as_str();
-        let text = text.ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))?;
-        if sizes::is_too_long_for_a_name(text) {
-            return Err(self.problem_at(key, |value| SceneProblem::LongName { key, value }));
-        }
-        Ok(Some(text))
+        self.value(key).map(|value| self.text_of(key, value, "a text in double quotes")).transpose()
     }
 
     /// A list of names, if the key is there.
@@ -106,19 +100,7 @@ impl<'a> Table<'a> {
         const EXPECTED: &str = "names in double quotes, in brackets";
         let Some(value) = self.value(key) else { return Ok(None) };
         let items = value.get_ref().as_array().ok_or_else(|| self.wrong_type(key, value, EXPECTED))?;
-        let name = |item: &'a Spanned<DeValue<'a>>| {
-            let text = item.get_ref().as_str().ok_or_else(|| self.wrong_type(key, item, EXPECTED))?;
-            if sizes::is_too_long_for_a_name(text) {
-                return Err(self.problem_at(key, |value| SceneProblem::LongName { key, value }));
-            }
-            Ok(text)
-        };
-        items.iter().map(name).collect::<Result<_, _>>().map(Some)
-    }
-
-    /// A positive size that must be there.
-    pub fn needed_size(&self, key: &'static str) -> Result<f64, Located> {
-        self.size(key)?.ok_or_else(|| self.missing(key))
+        items.iter().map(|item| self.text_of(key, item, EXPECTED)).collect::<Result<_, _>>().map(Some)
     }
 
     /// Three positive sizes that must be there.
@@ -129,16 +111,6 @@ impl<'a> Table<'a> {
             return Err(self.wrong_type(key, value, EXPECTED));
         };
         Ok([self.size_of(key, x)?, self.size_of(key, y)?, self.size_of(key, z)?])
-    }
-
-    /// A point that must be there.
-    pub fn needed_point(&self, key: &'static str) -> Result<[f64; 3], Located> {
-        self.point(key)?.ok_or_else(|| self.missing(key))
-    }
-
-    /// A unit vector that must be there; the file may give it any length.
-    pub fn needed_direction(&self, key: &'static str) -> Result<[f64; 3], Located> {
-        self.direction(key)?.ok_or_else(|| self.missing(key))
     }
 
     /// A unit vector, if the key is there; the file may give it any length.
@@ -226,6 +198,19 @@ impl<'a> Table<'a> {
         Located { problem: SceneProblem::WrongType { key, value: self.quoted(&span), expected }, span }
     }
 
+    fn text_of(
+        &self,
+        key: &'static str,
+        value: &'a Spanned<DeValue<'a>>,
+        expected: &'static str,
+    ) -> Result<&'a str, Located> {
+        let text = value.get_ref().as_str().ok_or_else(|| self.wrong_type(key, value, expected))?;
+        if sizes::is_too_long_for_a_name(text) {
+            return Err(self.problem_at(key, |value| SceneProblem::LongName { key, value }));
+        }
+        Ok(text)
+    }
+
     fn coordinate_of(
         &self,
         key: &'static str,
@@ -253,10 +238,6 @@ impl<'a> Table<'a> {
             SceneProblem::SizeOutOfRange { key, value }
         };
         Err(Located { span, problem })
-    }
-
-    fn point_of(&self, key: &'static str, value: &Spanned<DeValue>) -> Result<[f64; 3], Located> {
-        self.coordinates_of(key, value, "three numbers [x, y, z]")
     }
 
     fn coordinates_of<const N: usize>(

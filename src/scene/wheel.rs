@@ -177,20 +177,23 @@ impl Wheel {
 
     fn read(table: &Table) -> Result<Self, Located> {
         table.check_keys(&[&Self::KEYS[..], &light::KEYS].concat())?;
-        let (radius, tyre, rim) =
-            (table.needed_size("radius")?, table.needed_size("tyre")?, table.needed_size("rim")?);
+        let (radius, tyre, rim) = (
+            table.needed("radius", Table::size)?,
+            table.needed("tyre", Table::size)?,
+            table.needed("rim", Table::size)?,
+        );
         let within = radius - 2.0 * tyre - rim;
         let rim_radius = table.size("rim_radius")?.unwrap_or(within);
         let (hub_radius, spoke_radius) =
-            (table.needed_size("hub_radius")?, table.needed_size("spoke_radius")?);
-        let spokes = table.needed_count("spokes")?;
+            (table.needed("hub_radius", Table::size)?, table.needed("spoke_radius", Table::size)?);
+        let spokes = table.needed("spokes", Table::count)?;
         let wheel = Self {
-            hub: table.needed_point("hub")?.into(),
+            hub: table.needed("hub", Table::point)?.into(),
             radius,
             tyre,
             rim,
             rim_radius,
-            axle: table.needed_size("axle")?,
+            axle: table.needed("axle", Table::size)?,
             hub_radius,
             flange_radius: table.size("flange_radius")?.unwrap_or(hub_radius),
             flanges: table.size("flanges")?.unwrap_or(0.0),

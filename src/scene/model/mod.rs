@@ -66,7 +66,7 @@ pub(super) fn model(table: &Table, changes: Changes) -> Result<Vec<Object>, Loca
         "rolls",
         "rim_speed",
     ])?;
-    let path = table.needed_string("path")?;
+    let path = table.needed("path", Table::string)?;
     let name = table.string("name")?.unwrap_or_else(|| stem(path));
     let (scale, place) = (table.size("scale")?.unwrap_or(1.0), table.point("place")?.unwrap_or_default());
     let axes = scale * DMat3::from_quat(table.turn("the model")?) * upright(table)?;
