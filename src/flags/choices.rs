@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use clap::ValueEnum;
 use relativity_render::Gaze;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 pub use super::compare::Compare;
 pub use super::layout::{Form, Layout, Swapped};
@@ -99,12 +99,6 @@ impl fmt::Display for Size {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [width, height] = self.0;
         write!(f, "{width}x{height}")
-    }
-}
-
-impl Serialize for Size {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
     }
 }
 

@@ -3,8 +3,6 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Serialize, Serializer};
-
 use super::numbers::coordinates;
 
 /// A point on a body.
@@ -49,12 +47,6 @@ fn point(text: &str) -> Result<FollowedPoint, String> {
         text.split_once('@').ok_or("write a place and the number of its body like 0,3,2@0")?;
     let body = body.trim().parse().map_err(|_| "the number of a body is a whole number from 0".to_owned())?;
     Ok(FollowedPoint { place: coordinates(place)?, body })
-}
-
-impl Serialize for Followed {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
 }
 
 #[cfg(test)]

@@ -25,3 +25,16 @@ pub use observer::{GivenObserver, ObserverArgs};
 pub use ride::{RideLegs, StreetVelocity};
 pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting, given_speed};
 pub use wheel::{WheelArgs, rolling};
+
+/// Has values written into files as flags have them.
+macro_rules! written_as_flags {
+    ($($name:ty),+) => {
+        $(impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.collect_str(self)
+            }
+        })+
+    };
+}
+
+written_as_flags!(choices::Size, Followed, RideLegs, StreetVelocity);

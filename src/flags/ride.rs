@@ -5,7 +5,6 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use relativity_core::{Leg, RideMoment};
-use serde::{Serialize, Serializer};
 
 use super::{SpeedParameter, finite_number};
 
@@ -130,12 +129,6 @@ fn parse_acceleration(text: &str) -> Result<[f64; 3], String> {
     Ok(std::array::from_fn(|axis| parts.get(axis).copied().unwrap_or(0.0)))
 }
 
-impl Serialize for RideLegs {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
 /// A velocity along the street in the parameter that it was given in, below 0 towards -x: written `0.9`,
 /// `gamma:10` or `rapidity:-2`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -185,12 +178,6 @@ impl FromStr for StreetVelocity {
         let parameter = SpeedParameter::ALL.into_iter().find(|parameter| parameter.name() == name.trim());
         let parameter = parameter.ok_or("write 0.9, gamma:10 or rapidity:2, below 0 for the other way")?;
         Self::new(parameter, finite_number(value)?)
-    }
-}
-
-impl Serialize for StreetVelocity {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
     }
 }
 
