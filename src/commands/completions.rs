@@ -1,6 +1,6 @@
 //! `gamow completions`: how a shell completes the command line.
 
-use clap::{Args, Command, ValueEnum};
+use clap::{Args, Command};
 use clap_complete::Shell;
 
 use crate::files::whole::OutArgs;
@@ -11,19 +11,9 @@ use crate::files::whole::OutArgs;
 pub struct CompletionsArgs {
     /// Shell that completes.
     #[arg(value_enum)]
-    shell: ShellChoice,
+    shell: Shell,
     #[command(flatten)]
     out: OutArgs,
-}
-
-/// A shell that can complete.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum ShellChoice {
-    Bash,
-    Elvish,
-    Fish,
-    Powershell,
-    Zsh,
 }
 
 const EXAMPLES: &str = "\
@@ -34,14 +24,7 @@ Examples:
 
 /// Runs the command `gamow completions` for the whole `program`.
 pub fn run(args: &CompletionsArgs, mut program: Command) -> anyhow::Result<()> {
-    let shell = match args.shell {
-        ShellChoice::Bash => Shell::Bash,
-        ShellChoice::Elvish => Shell::Elvish,
-        ShellChoice::Fish => Shell::Fish,
-        ShellChoice::Powershell => Shell::PowerShell,
-        ShellChoice::Zsh => Shell::Zsh,
-    };
     let mut text = Vec::new();
-    clap_complete::generate(shell, &mut program, "gamow", &mut text);
+    clap_complete::generate(args.shell, &mut program, "gamow", &mut text);
     args.out.write(|out| Ok(out.write_all(&text)?))
 }
