@@ -57,15 +57,11 @@ impl<'py> Columns<'py> {
     /// The columns as inputs of a batch.
     pub fn inputs(&self) -> PyResult<Vec<Column<'_, f64>>> {
         let rows = self.rows();
-        let input = |array: &'_ PyReadonlyArrayDyn<'py, f64>| array.len() == 1 && rows != 1;
-        let mut inputs = Vec::new();
-        for array in &self.arrays {
-            inputs.push(match array.get(vec![0; array.ndim()]) {
-                Some(&value) if array.len() == 1 && input(array) => Column::Same(value),
-                _ => Column::Each(array.as_slice()?),
-            });
-        }
-        Ok(inputs)
+        let inputs = self.arrays.iter().map(|array| match array.get(vec![0; array.ndim()]) {
+            Some(&value) if array.len() == 1 && rows != 1 => Ok(Column::Same(value)),
+            _ => Ok(Column::Each(array.as_slice()?)),
+        });
+        inputs.collect()
     }
 
     /// The place of a row in the shape, as in `[2, 0]: `; nothing of a single number.

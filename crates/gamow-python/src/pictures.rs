@@ -13,7 +13,7 @@ use gamow::studio::film::frame_path;
 use numpy::PyArray1;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyDictMethods};
+use pyo3::types::{IntoPyDict as _, PyDict, PyDictMethods};
 
 use crate::errors::{of_command, value_error};
 use crate::flags::parsed;
@@ -52,12 +52,11 @@ fn measured_in_files<'py>(
     let words = std::iter::once(OsString::from("--")).chain(files.iter().map(|file| file.clone().into()));
     let args: MeasureArgs = parsed(flags, words.collect(), &["out"])?;
     let table = interruptible(py, || args.measured())?.map_err(|error| of_command(&error))?;
-    let columns = PyDict::new(py);
-    for (index, name) in table.columns.iter().enumerate() {
+    let columns = table.columns.iter().enumerate().map(|(index, name)| {
         let column = table.rows.iter().map(|row| row[index]).collect();
-        columns.set_item(name, PyArray1::from_vec(py, column))?;
-    }
-    Ok((columns, table.remarks))
+        (name, PyArray1::from_vec(py, column))
+    });
+    Ok((columns.into_py_dict(py)?, table.remarks))
 }
 
 /// Measures angles in files of a state that are drawn for it.
@@ -75,9 +74,9 @@ fn measured_in_state<'py>(
     let kind = if flags.contains("marker")? { FileKind::Png } else { FileKind::Exr };
     let folder = gamow_platform::files::temporary_folder()?;
     let place = folder.path();
-    let mut settings = state.settings().clone();
+    let mut settings = state.settings.clone();
     let scene = Path::new(&settings.scene);
-    if let Some(own) = state.own_scene() {
+    if let Some(own) = &state.own {
         let file = place.join("scene.toml");
         write_whole(&file, |out| Ok(out.write_all(own.text.as_bytes())?))
             .map_err(|error| of_command(&error))?;

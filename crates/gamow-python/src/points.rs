@@ -8,7 +8,7 @@ use gamow::commands::curve::CurveArgs;
 use numpy::PyArray1;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{IntoPyDict as _, PyDict, PyString};
 use relativity_core::Model;
 use relativity_core::threads::goes_on;
 
@@ -78,11 +78,8 @@ pub fn curve<'py>(py: Python<'py>, flags: Option<&Bound<'py, PyDict>>) -> PyResu
         Ok((names, columns))
     })?;
     let (names, columns) = table.map_err(|error: anyhow::Error| of_command(&error))?;
-    let dictionary = PyDict::new(py);
-    for (name, column) in names.into_iter().zip(columns) {
-        dictionary.set_item(name, PyArray1::from_vec(py, column))?;
-    }
-    Ok(dictionary)
+    let arrays = columns.into_iter().map(|column| PyArray1::from_vec(py, column));
+    names.into_iter().zip(arrays).into_py_dict(py)
 }
 
 /// The most samples of a curve: some gigabytes.

@@ -36,7 +36,7 @@ pub fn fit<'py>(
             fitted(&args, &name, input)
         })?
     } else {
-        let given = columns.insert(columns_of(data)?);
+        let given = columns.insert(Columns::new(data.cast::<PyDict>()?)?);
         let csv = csv_of(given)?;
         interruptible(py, || fitted(&args, "data", Cursor::new(csv)))?
     };
@@ -58,11 +58,6 @@ pub fn fit<'py>(
 fn fitted(args: &FitArgs, name: &str, input: impl Read) -> anyhow::Result<FitReport> {
     let goes_on = goes_on();
     args.fitted_while(name, input, |_| goes_on())
-}
-
-/// The columns in `data`, which has them by their names.
-fn columns_of<'py>(data: &Bound<'py, PyAny>) -> PyResult<Columns<'py>> {
-    Columns::new(&data.cast::<PyDict>()?.clone())
 }
 
 /// The columns as a CSV file: its first row has the names, so that row n of an array, from 0, is line n + 2.

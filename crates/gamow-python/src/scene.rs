@@ -10,7 +10,7 @@ use gamow::scene::PRESETS;
 use gamow::settings::Preset;
 use gamow_platform::files;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyType};
+use pyo3::types::{IntoPyDict as _, PyDict, PyType};
 
 use crate::errors::{of_command, value_error};
 use crate::flags::word;
@@ -212,20 +212,12 @@ fn made_from(source: &Bound<'_, PyAny>) -> PyResult<Scene> {
 /// take.
 #[pyfunction]
 pub fn scenes(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
-    let all = PyDict::new(py);
-    for name in PRESETS {
-        let scene = gamow::scene::Scene::preset(name);
-        all.set_item(name, scene.map(|scene| scene.name))?;
-    }
-    Ok(all)
+    let title = |name| gamow::scene::Scene::preset(name).map(|scene| scene.name);
+    PRESETS.map(|name| (name, title(name))).into_py_dict(py)
 }
 
 /// The presets, best first: the title of each by its name, which `State` takes.
 #[pyfunction]
 pub fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
-    let all = PyDict::new(py);
-    for preset in Preset::all() {
-        all.set_item(preset.name, &preset.title)?;
-    }
-    Ok(all)
+    Preset::all().iter().map(|preset| (preset.name, &preset.title)).into_py_dict(py)
 }

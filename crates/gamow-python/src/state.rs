@@ -35,9 +35,10 @@ use crate::{drawing, tables};
 #[pyclass(frozen, eq, module = "gamow")]
 #[derive(Clone, Default, PartialEq)]
 pub struct State {
-    settings: Settings,
+    /// The settings of the picture.
+    pub settings: Settings,
     /// The scene, if it is in no file.
-    own: Option<Arc<OwnScene>>,
+    pub own: Option<Arc<OwnScene>>,
 }
 
 /// The function that makes a state again, and the texts of its settings and its scene.
@@ -176,18 +177,8 @@ impl State {
 }
 
 impl State {
-    /// Returns the settings of the state.
-    pub const fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
     fn shown(&self) -> drawing::Shown<'_> {
         drawing::Shown { settings: &self.settings, own_scene: self.own.as_deref().map(|own| &own.scene) }
-    }
-
-    /// The scene, if it is in no file.
-    pub fn own_scene(&self) -> Option<&OwnScene> {
-        self.own.as_deref()
     }
 
     /// This state with these settings on top of it, or of the file that `--state` takes.
