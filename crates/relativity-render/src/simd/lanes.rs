@@ -11,6 +11,17 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 pub use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, mask32x8};
 
+/// The value of `body`, which is compiled for the widest registers that there are.
+macro_rules! vectorized {
+    ($simd:expr, $body:expr) => {
+        $simd.vectorize(
+            #[inline(always)]
+            || $body,
+        )
+    };
+}
+pub(crate) use vectorized;
+
 /// Number of pixels that are drawn at once.
 pub const LANES: usize = 8;
 

@@ -8,7 +8,7 @@ mod tube;
 
 use super::body::{Limits, PacketBody, PacketCapsule, PacketGroup, RestRays, Surface};
 use crate::geometry::kind::Kind;
-use crate::simd::lanes::{F, Simd, V3};
+use crate::simd::lanes::{F, Simd, V3, vectorized};
 use pattern::coverage::PixelShifts;
 use pattern::die;
 
@@ -25,22 +25,10 @@ pub fn surface<S: Simd>(
     limits: Option<&Limits<S>>,
 ) -> Surface<S> {
     match kind {
-        Kind::Tube => simd.vectorize(
-            #[inline(always)]
-            || tube::surface(body, ray, limits),
-        ),
-        Kind::Ring => simd.vectorize(
-            #[inline(always)]
-            || ring::surface(simd, body, ray),
-        ),
-        Kind::Box | Kind::Model => simd.vectorize(
-            #[inline(always)]
-            || block::surface(simd, group, body, ray, limits),
-        ),
-        Kind::Cylinder => simd.vectorize(
-            #[inline(always)]
-            || cylinder::surface(simd, group, body, ray, limits),
-        ),
+        Kind::Tube => vectorized!(simd, tube::surface(body, ray, limits)),
+        Kind::Ring => vectorized!(simd, ring::surface(simd, body, ray)),
+        Kind::Box | Kind::Model => vectorized!(simd, block::surface(simd, group, body, ray, limits)),
+        Kind::Cylinder => vectorized!(simd, cylinder::surface(simd, group, body, ray, limits)),
     }
 }
 

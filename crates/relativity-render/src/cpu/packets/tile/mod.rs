@@ -17,7 +17,7 @@ use crate::geometry::kind::Kind;
 use crate::geometry::triangles::Triangles;
 use crate::picture::candidates::TileLook;
 use crate::scene::wheel::packed::Turns;
-use crate::simd::lanes::{F, Simd, SimdFloat, SimdMask, all};
+use crate::simd::lanes::{F, Simd, SimdFloat, SimdMask, all, vectorized};
 use crate::view::cap::Cap;
 use passing::{Middles, may_show as may_show_in};
 
@@ -128,10 +128,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     /// Tests a body, if it `is_told_about` only in those packets that may show it.
     #[inline(never)]
     fn enter(&mut self, number: usize, is_told_about: bool) {
-        self.simd.vectorize(
-            #[inline(always)]
-            || self.test(&self.look.seen(number), is_told_about),
-        );
+        vectorized!(self.simd, self.test(&self.look.seen(number), is_told_about));
     }
 
     #[inline(always)]
@@ -243,20 +240,15 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let side = (N as f64).sqrt();
         let Packet { place, ray, .. } = self.drawn.packets[number];
         let samples = samples.map(|offset| {
-            simd.vectorize(
-                #[inline(always)]
-                || {
-                    let is_centre = offset == [0.0, 0.0];
-                    let ray =
-                        if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, offset)) };
-                    match turning {
-                        Some(turning) => {
-                            Meetings::with_turning(simd, look, seen, turning, triangles, &ray, side)
-                        }
-                        None => Meetings::new(simd, triangles, &group, placed, &ray, side),
-                    }
-                },
-            )
+            vectorized!(simd, {
+                let is_centre = offset == [0.0, 0.0];
+                let ray =
+                    if is_centre { ray } else { rest_ray(simd, &group, sights.of_sample(place, offset)) };
+                match turning {
+                    Some(turning) => Meetings::with_turning(simd, look, seen, turning, triangles, &ray, side),
+                    None => Meetings::new(simd, triangles, &group, placed, &ray, side),
+                }
+            })
         });
         let at = all(simd, owner as f32);
         let mut is_seen = false;

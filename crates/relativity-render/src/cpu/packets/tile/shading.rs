@@ -15,7 +15,7 @@ use crate::cpu::packets::street::backdrop::{behind, part};
 use crate::cpu::packets::wheel::turning::{Standing, TurningBody};
 use crate::picture::candidates::PixelRows;
 use crate::picture::tiles::Tile;
-use crate::simd::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
+use crate::simd::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select, vectorized};
 use crate::street::backdrop::BackdropPart;
 use crate::view::Appearance;
 
@@ -139,10 +139,7 @@ impl<S: Simd> TileContents<S, 4> {
         let body = self.owners[owner];
         if let Some(samples) = self.model(packet.place, owner) {
             return samples.map(|meetings| {
-                simd.vectorize(
-                    #[inline(always)]
-                    || meetings.colour(simd, look, appearance, tables, body.number, hatched),
-                )
+                vectorized!(simd, meetings.colour(simd, look, appearance, tables, body.number, hatched))
             });
         }
         [Self::colour(simd, look, appearance, tables, body, packet, hatched).0; 4]
@@ -160,22 +157,19 @@ impl<S: Simd> TileContents<S, 4> {
         packet: &Packet<S, 4>,
         hatched: Hatched<'_>,
     ) -> (V3<S>, F<S>) {
-        simd.vectorize(
-            #[inline(always)]
-            || {
-                let Met { seen, turning, ray, surface, test, doppler, distance } =
-                    Met::new(simd, look, owner, packet);
-                let Surface { place, normal, .. } = surface;
-                let there = Element { seen: &seen, turning: &turning, place, normal, doppler };
-                let colour = there.colour(simd, look, appearance, tables, None, hatched);
-                if seen.body.marking.is_none() {
-                    return (colour, test.alpha);
-                }
-                let (TurningBody { kind, group, .. }, pattern) = (&turning, seen.body.pattern());
-                let Standing { body, place } = turning.standing(simd, place);
-                let mark = mark(simd, *kind, group, &body, pattern, place, normal, ray, distance);
-                (colour * mark, test.alpha)
-            },
-        )
+        vectorized!(simd, {
+            let Met { seen, turning, ray, surface, test, doppler, distance } =
+                Met::new(simd, look, owner, packet);
+            let Surface { place, normal, .. } = surface;
+            let there = Element { seen: &seen, turning: &turning, place, normal, doppler };
+            let colour = there.colour(simd, look, appearance, tables, None, hatched);
+            if seen.body.marking.is_none() {
+                return (colour, test.alpha);
+            }
+            let (TurningBody { kind, group, .. }, pattern) = (&turning, seen.body.pattern());
+            let Standing { body, place } = turning.standing(simd, place);
+            let mark = mark(simd, *kind, group, &body, pattern, place, normal, ray, distance);
+            (colour * mark, test.alpha)
+        })
     }
 }

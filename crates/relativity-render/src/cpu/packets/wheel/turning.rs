@@ -9,7 +9,7 @@ use crate::cpu::packets::ray::{nearest_to, passage};
 use crate::cpu::packets::shape::{around, middle, surface};
 use crate::geometry::kind::Kind;
 use crate::scene::wheel::packed::Turns;
-use crate::simd::lanes::{F, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
+use crate::simd::lanes::{F, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select, vectorized};
 use crate::view::Geometry;
 
 /// The angle, radians, below which a turning body that is no tube is met in rounds from the middle of the
@@ -61,10 +61,7 @@ impl<'a, S: Simd> TurningBody<'a, S> {
         if self.turns != Turns::About {
             return surface(simd, self.kind, &self.group, &self.body, ray, limits);
         }
-        simd.vectorize(
-            #[inline(always)]
-            || self.surface_of_turning(simd, ray),
-        )
+        vectorized!(simd, self.surface_of_turning(simd, ray))
     }
 
     #[inline(always)]

@@ -10,7 +10,7 @@ use crate::cpu::packets::body::{PacketBody, PacketGroup, RestRays};
 use crate::cpu::packets::shape;
 use crate::geometry::kind::Kind;
 use crate::scene::pattern::DARK;
-use crate::simd::lanes::{F, Simd, V3, all, clamp};
+use crate::simd::lanes::{F, Simd, V3, all, clamp, vectorized};
 use crate::view::Geometry;
 use coverage::PixelShifts;
 
@@ -32,16 +32,13 @@ pub fn mark<S: Simd>(
     if pattern[0] == 0.0 {
         return all(simd, 1.0);
     }
-    simd.vectorize(
-        #[inline(always)]
-        || {
-            let place = body.body_from_rest(place);
-            let normal = shape::own_normal(kind, body, place, body.body_from_rest(normal));
-            let covered = covered_by_pixel(group, body, ray, normal, distance);
-            let dark = shape::darkness(kind, body, pattern, place, normal, &covered);
-            1.0 - clamp(dark, all(simd, 0.0), all(simd, 1.0)) * (1.0 - DARK) as f32
-        },
-    )
+    vectorized!(simd, {
+        let place = body.body_from_rest(place);
+        let normal = shape::own_normal(kind, body, place, body.body_from_rest(normal));
+        let covered = covered_by_pixel(group, body, ray, normal, distance);
+        let dark = shape::darkness(kind, body, pattern, place, normal, &covered);
+        1.0 - clamp(dark, all(simd, 0.0), all(simd, 1.0)) * (1.0 - DARK) as f32
+    })
 }
 
 /// In the body's own axes.
