@@ -13,7 +13,9 @@ use nalgebra::Matrix4;
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, RegularProblem, Trial, height};
+use crate::fit::{
+    Fit, FitError, Free, NORMAL_975, NormalEquations, Parameter, RegularProblem, Trial, height,
+};
 use crate::math;
 use crate::threads::prelude::*;
 
@@ -421,9 +423,6 @@ fn half_widths(fit: &Fit, regular: &RegularProblem<'_>, trial: &Trial) -> Option
         student_975(freedom) * variance.sqrt() / slope
     }))
 }
-
-/// The 97.5th percentile of the standard normal distribution.
-const NORMAL_975: f64 = 1.959_963_984_540_054;
 
 /// The 97.5th percentile of Student's t of this many degrees of freedom, at least 2: to 0.1 from 2 on, to
 /// 0.001 from 6 on (M. Abramowitz and I. A. Stegun, 26.7.5).

@@ -26,7 +26,7 @@ use crate::math;
 use crate::model::{Model, PairError};
 use crate::source::Source;
 use crate::speed::Speed;
-use crate::stereo::cross;
+use crate::stereo::{cross, dot};
 
 /// Conformal coordinates of a line of sight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,10 +129,6 @@ fn unit(place: [f64; 3]) -> [f64; 3] {
     let [x, y, z] = place;
     let length = math::hypot(math::hypot(x, y), z);
     place.map(|along| along / length)
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 impl Model {

@@ -64,8 +64,8 @@ const SOFTENING: f64 = 0.1;
 /// both have settled.
 const ROBUST_ROUNDS: usize = 6;
 
-/// Half the width of a 95 % interval of a normal distribution, in standard errors.
-const NORMAL_95: f64 = 1.959_963_984_540_054;
+/// The 97.5th percentile of the standard normal distribution: half the width of a 95 % interval.
+pub(crate) const NORMAL_975: f64 = 1.959_963_984_540_054;
 
 /// The best fit of a model to observations.
 #[derive(Debug, Clone)]
@@ -131,7 +131,7 @@ impl Fit {
     /// y = 0, and to z = 0 where only |z| matters.
     #[must_use]
     pub fn interval_95(&self, parameter: Parameter) -> [f64; 2] {
-        let (value, half) = (self.value(parameter), NORMAL_95 * self.standard_error(parameter));
+        let (value, half) = (self.value(parameter), NORMAL_975 * self.standard_error(parameter));
         let is_bounded = match parameter {
             Parameter::Beta | Parameter::Y => true,
             Parameter::Z => self.problem.is_even_in_z(),

@@ -207,17 +207,13 @@ fn octaves_at(entry: usize) -> f64 {
 
 /// Linear sRGB of CIE XYZ, for eyes that adapt to this `white`.
 fn balanced(xyz: [f64; 3], white: [f64; 3]) -> [f64; 3] {
-    let cones = |xyz: [f64; 3]| BRADFORD.map(|row| dot(row, xyz));
+    let cones = |xyz: [f64; 3]| BRADFORD.map(|row| ipt::dot(row, xyz));
     let [found, of_white, of_screen] = [xyz, white, D65].map(cones);
     let adapted: [f64; 3] = from_fn(|cone| found[cone] / of_white[cone] * of_screen[cone]);
     let [found, white] =
-        [adapted, of_screen].map(|cones| ipt::srgb_from_xyz(FROM_BRADFORD.map(|row| dot(row, cones))));
+        [adapted, of_screen].map(|cones| ipt::srgb_from_xyz(FROM_BRADFORD.map(|row| ipt::dot(row, cones))));
     // The matrices are rounded: so that white is white, to the last digit.
     from_fn(|part| found[part] / white[part])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Returns `linear` sRGB as a screen can show it: where a component is below 0 the colour moves towards grey

@@ -193,10 +193,6 @@ impl CentredShape for CylinderForm {
         self.half_length
     }
 
-    fn parallels_radius(&self) -> f64 {
-        self.radius
-    }
-
     fn squares(&self, step: f64) -> [f64; 2] {
         [step, closing(self.radius, step)]
     }

@@ -139,8 +139,11 @@ pub(crate) trait CentredShape {
         [radius, radius, self.half_length()].map(|half| 2.0 * half)
     }
 
-    /// Returns the radius of the circle that parallels divide; 0 of what has none.
-    fn parallels_radius(&self) -> f64;
+    /// Returns the radius of the circle that parallels divide; 0 of what has none. Most go around the core.
+    fn parallels_radius(&self) -> f64 {
+        let (_, radius) = self.core();
+        radius
+    }
 
     /// The steps of squares as near to `step` as close around the shape: along, a length, and around,
     /// radians.

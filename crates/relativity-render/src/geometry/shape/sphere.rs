@@ -119,10 +119,6 @@ impl CentredShape for SphereForm {
         DVec3::splat(self.radius)
     }
 
-    fn parallels_radius(&self) -> f64 {
-        self.radius
-    }
-
     fn squares(&self, step: f64) -> [f64; 2] {
         let around = closing(self.radius, step);
         [around * self.radius, around]

@@ -137,10 +137,6 @@ impl CentredShape for TubeForm {
         self.half_length
     }
 
-    fn parallels_radius(&self) -> f64 {
-        self.radius
-    }
-
     fn squares(&self, step: f64) -> [f64; 2] {
         [step, closing(self.radius, step)]
     }
