@@ -47,23 +47,50 @@ pub enum Product {
     ClassPage,
 }
 
+/// The words for a product.
+struct ProductRow {
+    name: &'static str,
+    /// Title of the dialog that saves it.
+    title: &'static str,
+    /// End of the default name of its file, before the ending.
+    mark: &'static str,
+    endings: &'static [&'static str],
+}
+
+const fn row(
+    name: &'static str,
+    title: &'static str,
+    mark: &'static str,
+    endings: &'static [&'static str],
+) -> ProductRow {
+    ProductRow { name, title, mark, endings }
+}
+
 impl Product {
     /// Returns the name of the product, for use after "the".
     #[must_use]
     pub const fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    const fn row(self) -> ProductRow {
+        const HTML: &[&str] = &["html"];
         match self {
-            Self::Picture => "picture",
-            Self::PlotsSvg | Self::PlotsCsv => "plots",
-            Self::State => "state",
-            Self::Scene => "scene",
-            Self::Film => "film",
-            Self::TenSeconds => "film of 10 s",
-            Self::Fit => "fit",
-            Self::Report => "report",
-            Self::Worksheet => "worksheet",
-            Self::LabSheet => "lab",
-            Self::TeachersPage => "teacher’s page",
-            Self::ClassPage => "class’s page",
+            Self::Picture => row("picture", "Save the picture", "", &["png"]),
+            Self::PlotsSvg => row("plots", "Save the plots as SVG", "-plots", &["svg"]),
+            Self::PlotsCsv => row("plots", "Save the plots as CSV", "-plots", &["csv"]),
+            Self::State => row("state", "Save the state", "-state", &["toml"]),
+            Self::Scene => row("scene", "Save the scene of the model", "-scene", &["toml"]),
+            Self::Film => row("film", "Save a film", "-film", &FilmKind::ENDINGS),
+            Self::TenSeconds => row("film of 10 s", "Save a film of 10 s", "-10s", &FilmKind::ENDINGS),
+            Self::Fit => row("fit", "Save the fit", "-fit", &["json"]),
+            Self::Report => row("report", "Save the report of the lesson", "-report", HTML),
+            Self::Worksheet => row("worksheet", "Save the worksheet of the lesson", "-worksheet", HTML),
+            Self::LabSheet => row("lab", "Save the lab of the lesson", "-lab", HTML),
+            Self::TeachersPage => {
+                row("teacher’s page", "Save the teacher’s page of the lesson", "-teacher", HTML)
+            }
+            Self::ClassPage => row("class’s page", "Save the page of the class", "-class", HTML),
         }
     }
 
@@ -115,37 +142,14 @@ impl Product {
     /// Returns the endings of the product's files, the default first.
     #[must_use]
     pub const fn endings(self) -> &'static [&'static str] {
-        match self {
-            Self::Picture => &["png"],
-            Self::PlotsSvg => &["svg"],
-            Self::PlotsCsv => &["csv"],
-            Self::State | Self::Scene => &["toml"],
-            Self::Film | Self::TenSeconds => &FilmKind::ENDINGS,
-            Self::Fit => &["json"],
-            Self::Report | Self::Worksheet | Self::LabSheet | Self::TeachersPage | Self::ClassPage => {
-                &["html"]
-            }
-        }
+        self.row().endings
     }
 
     /// Returns the default name of its file, for this `subject`: a scene, or a lesson.
     #[must_use]
     pub fn file_name(self, subject: &str) -> String {
-        let what = match self {
-            Self::Picture => "",
-            Self::PlotsSvg | Self::PlotsCsv => "-plots",
-            Self::State => "-state",
-            Self::Scene => "-scene",
-            Self::Film => "-film",
-            Self::TenSeconds => "-10s",
-            Self::Fit => "-fit",
-            Self::Report => "-report",
-            Self::Worksheet => "-worksheet",
-            Self::LabSheet => "-lab",
-            Self::TeachersPage => "-teacher",
-            Self::ClassPage => "-class",
-        };
-        format!("{subject}{what}.{}", self.endings()[0])
+        let ProductRow { mark, endings, .. } = self.row();
+        format!("{subject}{mark}.{}", endings[0])
     }
 
     /// `path` with the usual ending where it has none.
@@ -183,19 +187,7 @@ impl Purpose {
         match self {
             Self::Open => "Open a scene, a model, a state, a picture or data",
             Self::OpenData => "Fit own data",
-            Self::Save(Product::Picture) => "Save the picture",
-            Self::Save(Product::PlotsSvg) => "Save the plots as SVG",
-            Self::Save(Product::PlotsCsv) => "Save the plots as CSV",
-            Self::Save(Product::State) => "Save the state",
-            Self::Save(Product::Scene) => "Save the scene of the model",
-            Self::Save(Product::Film) => "Save a film",
-            Self::Save(Product::TenSeconds) => "Save a film of 10 s",
-            Self::Save(Product::Fit) => "Save the fit",
-            Self::Save(Product::Report) => "Save the report of the lesson",
-            Self::Save(Product::Worksheet) => "Save the worksheet of the lesson",
-            Self::Save(Product::LabSheet) => "Save the lab of the lesson",
-            Self::Save(Product::TeachersPage) => "Save the teacher’s page of the lesson",
-            Self::Save(Product::ClassPage) => "Save the page of the class",
+            Self::Save(product) => product.row().title,
         }
     }
 }
