@@ -4,11 +4,10 @@
 use std::ops::Range;
 
 use glam::{DMat3, DVec2, DVec3};
-use relativity_render::geometry::shape::strokes::{Path, Stroke};
+use relativity_render::geometry::shape::strokes::{Onlooker, Path, Stroke};
 use relativity_render::{Body, MaterialPoint, Spin};
 
 use super::instant::{BodyPicture, MapInstant, Places};
-use super::outline::outline;
 use super::{Chart, MapProjection};
 use crate::plot::{RefinementLimits, refined};
 use crate::scene::{Scene, SceneGroup};
@@ -138,8 +137,7 @@ impl OutlineLines {
     }
 
     fn add(&mut self, sampler: &Sampler, number: usize, body: &Body, reach: f64) {
-        let strokes = outline(body, |place, projection| sampler.line_of_sight(place, projection));
-        for (Stroke { path, radius }, only) in strokes {
+        for (Stroke { path, radius }, only) in sampler.outline(body) {
             let first = self.vertices.len();
             sampler.sample(&path, &mut self.vertices);
             let vertices = first..self.vertices.len();
@@ -180,6 +178,17 @@ impl<'a> Sampler<'a> {
     fn new(instant: &MapInstant, group: &SceneGroup, picture: BodyPicture, charts: &'a [Chart; 2]) -> Self {
         let rests = instant.rests(group.motion);
         Self { places: instant.places(group.motion), picture, rests, charts, spin: None }
+    }
+
+    /// The outline of `body` at rest, with the only projection that each part is drawn in, if not in both.
+    fn outline(&self, body: &Body) -> Vec<(Stroke, Option<MapProjection>)> {
+        let mut strokes: Vec<_> = body.strokes().into_iter().map(|stroke| (stroke, None)).collect();
+        for projection in MapProjection::BOTH {
+            // In the middle the map looks along it as it does everywhere, nearly.
+            let silhouette = body.silhouette(|middle| Onlooker::Afar(self.line_of_sight(middle, projection)));
+            strokes.extend(silhouette.into_iter().map(|stroke| (stroke, Some(projection))));
+        }
+        strokes
     }
 
     /// Adds the points of `path` to `vertices`: none if it has a part that is nowhere.

@@ -14,7 +14,6 @@ mod instant;
 mod light;
 mod lines;
 mod nearest;
-mod outline;
 mod present;
 mod projection;
 mod sight;
