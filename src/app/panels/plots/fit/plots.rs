@@ -106,7 +106,7 @@ fn pair(
     ui.horizontal(|ui| {
         ui.set_height(TITLE_HEIGHT);
         ui.add_space(Y_AXIS_WIDTH);
-        let heading = Ruler::of_angles(curve_height).label(&what, &drawing.curve_bounds());
+        let heading = Ruler::of_angles(curve_height).label(&what, &drawing.bounds(Half::Readings));
         ui.label(RichText::new(heading).strong());
         if size.x >= NARROWEST_WITH_CAPTION {
             ui.label(RichText::new("samples, fit, 95 % band").weak().small());
@@ -227,8 +227,19 @@ impl<'a> CurveDrawing<'a> {
 
     fn bounds(&self, half: Half) -> PlotBounds {
         match half {
-            Half::Readings => self.curve_bounds(),
-            Half::Residuals => self.residual_bounds(),
+            Half::Readings => {
+                let line = self.fitted.iter().flat_map(|fitted| fitted.line.iter());
+                let shown = self.data.iter().chain(line).map(|point| point.y);
+                bounds(shown.chain(self.left_out_places(half).map(|(_, place)| place.y)), self.range)
+            }
+            Half::Residuals => {
+                let residuals = self.fitted.iter().flat_map(|fitted| fitted.residuals.iter());
+                let band = self.fitted.iter().flat_map(|fitted| &fitted.band).flatten();
+                // Zero is in the middle, whichever side has the largest residual.
+                let values = residuals.map(|point| point.y).chain(band.copied());
+                let largest = values.fold(0.0f64, |a, b| a.max(b.abs()));
+                bounds([-largest, largest].into_iter(), self.range)
+            }
         }
     }
 
@@ -240,46 +251,24 @@ impl<'a> CurveDrawing<'a> {
         }
     }
 
+    /// Draws a half; residuals only where there is a fit.
     fn draw<'p>(&'p self, half: Half, plot: &mut PlotUi<'p>) {
-        match half {
-            Half::Readings => self.curve(plot),
-            Half::Residuals => self.residuals(plot),
-        }
-    }
-
-    fn curve_bounds(&self) -> PlotBounds {
-        let line = self.fitted.iter().flat_map(|fitted| fitted.line.iter());
-        let shown = self.data.iter().chain(line).map(|point| point.y);
-        bounds(shown.chain(self.left_out_places(Half::Readings).map(|(_, place)| place.y)), self.range)
-    }
-
-    fn residual_bounds(&self) -> PlotBounds {
-        let residuals = self.fitted.iter().flat_map(|fitted| fitted.residuals.iter());
-        let band = self.fitted.iter().flat_map(|fitted| &fitted.band).flatten();
-        // Zero is in the middle, whichever side has the largest residual.
-        let largest = residuals.map(|point| point.y).chain(band.copied()).fold(0.0f64, |a, b| a.max(b.abs()));
-        bounds([-largest, largest].into_iter(), self.range)
-    }
-
-    fn curve<'p>(&'p self, plot: &mut PlotUi<'p>) {
-        self.band(plot, |point| point.y);
-        self.dots(plot, "sample", self.data);
-        self.outliers(plot, 0);
-        self.left_out(plot, Half::Readings);
-        if let Some(fitted) = self.fitted {
-            let line = Line::new("fit", &*fitted.line).allow_band(false).allow_hover(false);
-            plot.line(line.color(self.fit_colour).width(1.6));
-        }
-    }
-
-    fn residuals<'p>(&'p self, plot: &mut PlotUi<'p>) {
+        let (name, middle): (_, fn(&PlotPoint) -> f64) = match half {
+            Half::Readings => ("sample", |point| point.y),
+            Half::Residuals => ("sample − fit", |_| 0.0),
+        };
+        self.band(plot, middle);
+        plot.points(
+            Points::new(name, self.points(half)).color(self.data_colour).radius(1.3).allow_hover(false),
+        );
+        self.outliers(plot, half as usize);
+        self.left_out(plot, half);
         let Some(fitted) = self.fitted else { return };
-        self.band(plot, |_| 0.0);
-        self.dots(plot, "sample − fit", &fitted.residuals);
-        self.outliers(plot, 1);
-        self.left_out(plot, Half::Residuals);
-        let zero = self.range.map(|time| [time, 0.0]).to_vec();
-        plot.line(Line::new("0", zero).color(self.fit_colour).width(1.2).allow_hover(false));
+        let line = match half {
+            Half::Readings => Line::new("fit", &*fitted.line).allow_band(false).width(1.6),
+            Half::Residuals => Line::new("0", self.range.map(|time| [time, 0.0]).to_vec()).width(1.2),
+        };
+        plot.line(line.color(self.fit_colour).allow_hover(false));
     }
 
     /// The band around `middle` of the line.
@@ -338,9 +327,5 @@ impl<'a> CurveDrawing<'a> {
         let all = taken.chain(self.left_out_places(half)).map(|(number, place)| (number, distance(&place)));
         let nearest = all.min_by(|a, b| a.1.total_cmp(&b.1));
         nearest.filter(|(_, distance)| *distance < ON_A_READING).map(|(number, _)| number)
-    }
-
-    fn dots<'p>(&self, plot: &mut PlotUi<'p>, name: &str, points: &'p [PlotPoint]) {
-        plot.points(Points::new(name, points).color(self.data_colour).radius(1.3).allow_hover(false));
     }
 }
