@@ -371,10 +371,10 @@ fn two_cursors_tell_the_difference_and_the_slope() {
     };
     let time = window.state().state().document.time;
     click(&mut window, 0.4);
-    let &[a] = window.state().state().scratch.plotting.cursors() else { panic!("one cursor") };
+    let &[a] = window.state().state().scratch.plotting.cursors.as_slice() else { panic!("one cursor") };
     assert!(legend(&window).is_some_and(|text| text.contains("A: T = ")));
     click(&mut window, 0.7);
-    let &[_, b] = window.state().state().scratch.plotting.cursors() else { panic!("two cursors") };
+    let &[_, b] = window.state().state().scratch.plotting.cursors.as_slice() else { panic!("two cursors") };
     assert_eq!(window.state().state().document.time, time, "a cursor is not T");
     let text = legend(&window).expect("a legend");
     let value = |name: &str| -> f64 {
@@ -389,15 +389,15 @@ fn two_cursors_tell_the_difference_and_the_slope() {
     assert!((value("slope = ") - slope).abs() < 6e-3 * slope.abs(), "{text}");
     assert!(window.state_mut().plots_svg().contains(">B<"));
     click(&mut window, 0.5);
-    assert!(window.state().state().scratch.plotting.cursors().is_empty() && legend(&window).is_none());
+    assert!(window.state().state().scratch.plotting.cursors.is_empty() && legend(&window).is_none());
     window.key_press(Key::C);
     window.run();
-    assert_eq!(window.state().state().scratch.plotting.cursors(), [time]);
+    assert_eq!(window.state().state().scratch.plotting.cursors, [time]);
     window.get_by_label("Cursor B").click();
     window.run();
     window.get_by_label("No cursors").click();
     window.run();
-    assert!(window.state().state().scratch.plotting.cursors().is_empty());
+    assert!(window.state().state().scratch.plotting.cursors.is_empty());
 }
 
 fn pinned_curves_stay_while_the_speed_changes() {
@@ -431,7 +431,7 @@ fn pinned_curves_stay_while_the_speed_changes() {
     }
     window.get_by_label("Unpin all").click();
     window.run();
-    assert!(window.state().state().scratch.plotting.pins().is_empty());
+    assert!(window.state().state().scratch.plotting.pins.is_empty());
     assert!(window.query_by_label("Unpin all").is_none());
 }
 
@@ -441,7 +441,7 @@ fn as_many_curves_are_pinned_as_there_are_dashes() {
         at_speed(&mut state, beta);
         state.run(PlotCommand::Pin);
     }
-    let pins = state.scratch.plotting.pins();
+    let pins = &state.scratch.plotting.pins;
     let speeds: Vec<f64> = pins.iter().map(|pin| pin.seen.velocity.speed.beta()).collect();
     assert_eq!((speeds.as_slice(), pins.len()), ([0.3, 0.4, 0.5, 0.6].as_slice(), MAX_PINS));
     // All are in the plot, and the present one.

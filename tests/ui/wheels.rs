@@ -257,7 +257,7 @@ fn a_point_of_a_wheel_is_undone_redone_and_kept_in_a_state() {
     // A pin has its curves while the speed changes; the wheel then turns at another.
     window.key_press(Key::K);
     window.run_ok();
-    let pinned = window.state().state().scratch.plotting.pins()[0].seen.clone();
+    let pinned = window.state().state().scratch.plotting.pins[0].seen.clone();
     assert_eq!(pinned.point.spin, picked.document.points.selected().track.spin);
 }
 

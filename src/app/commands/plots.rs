@@ -12,10 +12,10 @@ impl State {
         let plotting = &mut self.scratch.plotting;
         match command {
             PlotCommand::Look(quantity, ranges) => plotting.look(quantity, ranges),
-            PlotCommand::Whole => plotting.look_at_all(),
+            PlotCommand::Whole => plotting.zooms.clear(),
             PlotCommand::Cursor(time) => plotting.put_cursor(clock::bounded(time.unwrap_or(now))),
             PlotCommand::Pin => plotting.pin(pin),
-            PlotCommand::Unpin => plotting.unpin(),
+            PlotCommand::Unpin => plotting.pins.clear(),
         }
     }
 }

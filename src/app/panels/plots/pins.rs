@@ -67,7 +67,7 @@ impl Traits {
 /// Returns the traits of all pinned curves, and last those of the selected point.
 fn compared(state: &State) -> Vec<Traits> {
     let selected = state.document.points.selected();
-    let pins = state.scratch.plotting.pins().iter().map(|pin| Traits::new(state, &pin.point, &pin.seen));
+    let pins = state.scratch.plotting.pins.iter().map(|pin| Traits::new(state, &pin.point, &pin.seen));
     pins.chain([Traits::new(state, selected, &state.seen_point(selected))]).collect()
 }
 
@@ -75,7 +75,7 @@ fn compared(state: &State) -> Vec<Traits> {
 pub(super) fn names(state: &State) -> Vec<String> {
     let all = compared(state);
     let several = state.document.points.all().len() > 1;
-    let count = state.scratch.plotting.pins().len();
+    let count = state.scratch.plotting.pins.len();
     all.iter().take(count).map(|traits| traits.that_differ(&all, several)).collect()
 }
 
@@ -83,7 +83,7 @@ pub(super) fn names(state: &State) -> Vec<String> {
 /// differences from those.
 pub(super) fn name_beside(state: &State, point: &Point) -> String {
     let is_compared =
-        !state.scratch.plotting.pins().is_empty() && point.number == state.document.points.selected().number;
+        !state.scratch.plotting.pins.is_empty() && point.number == state.document.points.selected().number;
     let all = if is_compared { compared(state) } else { Vec::new() };
     all.last().map_or_else(|| state.name_of(point), |own| own.that_differ(&all, true))
 }

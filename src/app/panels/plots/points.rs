@@ -65,16 +65,16 @@ fn buttons(ui: &mut Ui, state: &State, commands: &mut Commands) {
     };
     let tip = "Keeps the present curves of the selected point, to compare speeds, for example. (K)";
     button(ui, "Pin", tip, PlotCommand::Pin);
-    if !plotting.pins().is_empty() {
+    if !plotting.pins.is_empty() {
         button(ui, "Unpin all", "Removes all pinned curves. (Shift+K)", PlotCommand::Unpin);
     }
-    let (name, tip) = match plotting.cursors() {
+    let (name, tip) = match plotting.cursors.as_slice() {
         [] => ("Cursor A", "Marks T, to read the curves there: so does a shift-click in a plot. (C)"),
         [_] => ("Cursor B", "Marks T, to see how much the curves change from cursor A, and how steeply. (C)"),
         _ => ("No cursors", "Removes both cursors. (C)"),
     };
     button(ui, name, tip, PlotCommand::Cursor(None));
-    if plotting.is_zoomed() {
+    if !plotting.zooms.is_empty() {
         let tip = "Shows the whole of every plot again: so does a double click in one. Scroll in a plot to see a part of it, \
             drag it with the right button to see another.";
         button(ui, "Whole plots", tip, PlotCommand::Whole);

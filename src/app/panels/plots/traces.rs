@@ -33,7 +33,7 @@ pub(super) fn chart<'a>(
         traces: traces(state, curves, quantity),
         equidistant: state.equidistance_time(state.document.points.selected()).map(|time| (time, words)),
         now: state.document.time,
-        cursors: state.scratch.plotting.cursors().to_vec(),
+        cursors: state.scratch.plotting.cursors.clone(),
         rounding: rounding(&state.seen_point(state.document.points.selected()), quantity),
         height,
     }
@@ -63,7 +63,7 @@ fn traces<'a>(state: &State, curves: &'a [QuantityCurves], quantity: Quantity) -
     } else {
         selected.map_or_else(Vec::new, of_selected)
     };
-    let pinned = state.scratch.plotting.pins().iter().zip(pins::names(state)).zip(PINNED_DASHES);
+    let pinned = state.scratch.plotting.pins.iter().zip(pins::names(state)).zip(PINNED_DASHES);
     let pinned = pinned.filter_map(|((pin, name), dash)| {
         Some(of_pin(found(state.pinned_key(pin, quantity))?, &name, pin.point.number, dash))
     });

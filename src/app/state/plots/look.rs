@@ -11,9 +11,12 @@ pub const MAX_PINS: usize = 4;
 /// The state of the plots: the parts that are shown, cursors and pins.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Plotting {
-    zooms: Vec<(Quantity, Ranges)>,
-    cursors: Vec<f64>,
-    pins: Vec<Pin>,
+    /// The plots of which a part is shown, and that.
+    pub zooms: Vec<(Quantity, Ranges)>,
+    /// T of the cursors, of which there are none, one or two.
+    pub cursors: Vec<f64>,
+    /// The curves that are kept, the oldest first.
+    pub pins: Vec<Pin>,
 }
 
 /// The part of a plot that is shown.
@@ -56,27 +59,10 @@ impl Plotting {
         self.zooms.iter().find_map(|&(of, ranges)| (of == quantity).then_some(ranges))
     }
 
-    /// T of the cursors, of which there are none, one or two.
-    #[must_use]
-    pub fn cursors(&self) -> &[f64] {
-        &self.cursors
-    }
-
-    /// The curves that are kept, the oldest first.
-    #[must_use]
-    pub fn pins(&self) -> &[Pin] {
-        &self.pins
-    }
-
     /// Looks at a part of the plot of `quantity`, or at the whole.
     pub fn look(&mut self, quantity: Quantity, ranges: Option<Ranges>) {
         self.zooms.retain(|(of, _)| *of != quantity);
         self.zooms.extend(ranges.map(|ranges| (quantity, ranges)));
-    }
-
-    /// Looks at the whole of every plot.
-    pub fn look_at_all(&mut self) {
-        self.zooms.clear();
     }
 
     /// Sets the first cursor at this T; then the second; then removes both.
@@ -95,17 +81,6 @@ impl Plotting {
             self.pins.remove(0);
         }
         self.pins.push(pin);
-    }
-
-    /// Removes all pins.
-    pub fn unpin(&mut self) {
-        self.pins.clear();
-    }
-
-    /// Whether any plot shows a part only.
-    #[must_use]
-    pub const fn is_zoomed(&self) -> bool {
-        !self.zooms.is_empty()
     }
 }
 

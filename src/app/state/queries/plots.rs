@@ -59,7 +59,7 @@ impl State {
         let mut keys: Vec<CurvesKey> = Vec::new();
         for &quantity in self.plotted_quantities() {
             let points = self.document.points.all().iter().map(|point| self.plotted_key(point, quantity));
-            let pins = self.scratch.plotting.pins().iter().map(|pin| self.pinned_key(pin, quantity));
+            let pins = self.scratch.plotting.pins.iter().map(|pin| self.pinned_key(pin, quantity));
             for key in points.chain(pins) {
                 if !keys.contains(&key) {
                     keys.push(key);
