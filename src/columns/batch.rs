@@ -151,7 +151,7 @@ impl Batch<'_> {
         }
         let [speed, x0, y, z, times] =
             places.map(|place| place.map_or(Column::Same(0.0), |place| self.inputs[place]));
-        let speeds = match (speed.each(), self.header.speed_parameter()) {
+        let speeds = match (speed.each(), self.header.speed_parameter) {
             (None, _) => Speeds::Same(first.speed),
             (Some(betas), SpeedParameter::Beta) => Speeds::Each(betas),
             (Some(_), _) => return false,

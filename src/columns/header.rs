@@ -15,7 +15,8 @@ use crate::flags::{GivenObserver, SpeedParameter, rolling};
 /// The places of the inputs in each row.
 #[derive(Debug)]
 pub struct Header {
-    speed_parameter: SpeedParameter,
+    /// Parameter that the speed is given as.
+    pub speed_parameter: SpeedParameter,
     speed: usize,
     d: usize,
     /// Places of roll and turn.
@@ -163,12 +164,6 @@ impl Header {
     #[must_use]
     pub const fn places(&self) -> [Option<usize>; 5] {
         [Some(self.speed), self.x0, Some(self.y), Some(self.z), Some(self.time)]
-    }
-
-    /// The parameter that the speed is given as.
-    #[must_use]
-    pub const fn speed_parameter(&self) -> SpeedParameter {
-        self.speed_parameter
     }
 
     /// Returns what the columns determine.

@@ -57,7 +57,8 @@ pub(super) fn card(name: &str) -> Option<ShippedFile> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Library {
     lessons: Vec<Arc<Lesson>>,
-    refused: Vec<Refused>,
+    /// Lessons of the folder that cannot be read, by name.
+    pub refused: Vec<Refused>,
 }
 
 /// A chapter: lessons that belong together.
@@ -134,12 +135,6 @@ impl Library {
             }
         }
         chapters
-    }
-
-    /// The lessons of the folder that cannot be read, by name.
-    #[must_use]
-    pub fn refused(&self) -> &[Refused] {
-        &self.refused
     }
 
     /// The lesson after the one of this name; no preset.
@@ -247,7 +242,7 @@ mod tests {
         std::fs::write(folder.path().join("bytes.md"), b"---\ntitle: \xff\n").expect("it is written");
         let library = Library::new(Some(folder.path())).expect("the others are lessons");
         assert_eq!(library.all().len(), titles.len());
-        let refused: Vec<_> = library.refused().iter().map(|refused| refused.name.as_str()).collect();
+        let refused: Vec<_> = library.refused.iter().map(|refused| refused.name.as_str()).collect();
         assert_eq!(refused, ["broken", "bytes", "two-eyes"]);
         for name in refused {
             let error = library.open(name).expect_err("it is broken").to_string();

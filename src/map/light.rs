@@ -53,7 +53,7 @@ pub fn rays(
     Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
         // Where and when it rests is known better than by its place on the ground.
         let place = worldline.place(seen.retarded_time);
-        let left = if worldline.rests() {
+        let left = if worldline.rests {
             Event { x: place.x, t: seen.proper_time }
         } else {
             worldline.at(seen.retarded_time)

@@ -28,7 +28,7 @@ pub struct PointWorldline {
     /// Place of the axle; of the point itself, if it does not turn.
     axle: DVec3,
     /// Whether the frame of its group is that of the map, too.
-    rests: bool,
+    pub rests: bool,
 }
 
 impl PointWorldline {
@@ -165,12 +165,6 @@ impl PointWorldline {
     #[must_use]
     pub const fn velocity(&self) -> Velocity {
         self.velocity
-    }
-
-    /// Whether the frame of the worldline's group is that of the map.
-    #[must_use]
-    pub const fn rests(&self) -> bool {
-        self.rests
     }
 
     /// Returns the distance at which the point, or its axle, passes the line along x through the eyes.

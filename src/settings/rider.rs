@@ -28,7 +28,9 @@ pub struct Rider {
     on_ground: ObserverVelocity,
     /// From the axes of the head to the observer's, which are the ground's, boosted without turning.
     head: DQuat,
-    ahead: [f64; 3],
+    /// Direction in which the rider moves, in the axes of the head: a unit vector along the line of the ride,
+    /// to its left and up, along the line at rest. It is up to the sign of the velocity that it is ahead.
+    pub ahead: [f64; 3],
 }
 
 /// The direction of the line of a ride in its own axes.
@@ -117,13 +119,6 @@ impl Rider {
             head: DQuat::from_xyzw(turned.x, turned.y, turned.z, real),
             ahead: moving.map_or(AHEAD, Into::into),
         }
-    }
-
-    /// Direction in which the rider moves, in the axes of the head: a unit vector along the line of the ride,
-    /// to its left and up, along the line at rest. It is up to the sign of the velocity that it is ahead.
-    #[must_use]
-    pub const fn ahead(&self) -> [f64; 3] {
-        self.ahead
     }
 
     /// `vector`, in the axes of the head, in the observer's.

@@ -35,7 +35,8 @@ const PICTURES: [&str; 2] = ["first picture", "second picture"];
 pub struct Studio {
     scene: Scene,
     prepared: PreparedScene,
-    tracked: Track,
+    /// Point that is tracked.
+    pub tracked: Track,
     settings: Settings,
     painter: Painter,
     timings: Timings,
@@ -98,12 +99,6 @@ impl Studio {
     #[must_use]
     pub const fn scene(&self) -> &Scene {
         &self.scene
-    }
-
-    /// The point that is tracked.
-    #[must_use]
-    pub const fn tracked(&self) -> Track {
-        self.tracked
     }
 
     /// Returns the subject of the eyes' gaze.

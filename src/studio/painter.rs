@@ -145,11 +145,11 @@ impl Painter {
         check_whole()?;
         if let Some(Choosing { automatic, is_measured, .. }) = &mut self.automatic {
             let (method, now_ms) = (self.method.of_view(view), self.clock.elapsed_ms());
-            let is_due = automatic.costs().is_due(method, view.geometry, now_ms);
+            let is_due = automatic.costs.is_due(method, view.geometry, now_ms);
             let pixels = picture.rgba.len() as f64;
             let measured = is_due.then(|| (start.elapsed_ms(), pixels));
             *is_measured |= is_due;
-            automatic.costs().note(method, view.geometry, measured, now_ms);
+            automatic.costs.note(method, view.geometry, measured, now_ms);
         }
         Ok(picture)
     }

@@ -240,22 +240,22 @@ fn the_fit_follows_the_controls() {
 fn a_hidden_fit_is_not_made() {
     let mut window = window(fitted(0.9, FitSettings::default()));
     settle(&mut window);
-    let requests = window.state().fitting().requests();
+    let requests = window.state().fitting().requests;
     assert_eq!(requests, 1, "one for one state of the controls");
     window.get_by_label("Disparity").click();
     window.run();
     type_into(&mut window, "Beta, typed", "0.7");
     window.run();
-    assert_eq!(window.state().fitting().requests(), requests);
+    assert_eq!(window.state().fitting().requests, requests);
     window.get_by_label("Fit").click();
     window.run_steps(2);
     settle(&mut window);
-    assert_eq!(window.state().fitting().requests(), requests + 1);
+    assert_eq!(window.state().fitting().requests, requests + 1);
     window.get_by_label("Plots").click();
     window.run();
     type_into(&mut window, "Beta, typed", "0.8");
     window.run();
-    assert_eq!(window.state().fitting().requests(), requests + 1);
+    assert_eq!(window.state().fitting().requests, requests + 1);
 }
 
 fn a_window_that_shows_a_fit_rests() {
@@ -264,7 +264,7 @@ fn a_window_that_shows_a_fit_rests() {
     wait_for_rest(&mut window);
     window.state_mut().run(PlaybackCommand::GoTo(2.0));
     window.run();
-    assert_eq!(window.state().fitting().requests(), 1, "the fit does not depend on T");
+    assert_eq!(window.state().fitting().requests, 1, "the fit does not depend on T");
 }
 
 /// The share of the corrected picture's bodies that is red: all of the cyclist at rest.

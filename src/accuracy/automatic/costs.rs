@@ -39,7 +39,8 @@ const MEGAPIXEL: f64 = 1e6;
 /// The costs of a scene's pictures.
 #[derive(Debug, Clone)]
 pub struct Costs {
-    machine: Machine,
+    /// Hardware that draws.
+    pub machine: Machine,
     /// Rays per pixel of the reference are the square of this.
     samples: u32,
     records: Vec<CostRecord>,
@@ -72,12 +73,6 @@ impl Costs {
     #[must_use]
     pub const fn new(machine: Machine, samples: u32) -> Self {
         Self { machine, samples, records: Vec::new() }
-    }
-
-    /// Returns the hardware that draws.
-    #[must_use]
-    pub const fn machine(&self) -> Machine {
-        self.machine
     }
 
     /// Forgets all: another scene costs another time.

@@ -47,7 +47,8 @@ pub struct MethodViews<'a> {
 /// The automatic choice: the cheapest method that keeps an error, or the most accurate that keeps a time.
 #[derive(Debug)]
 pub struct Automatic {
-    costs: Costs,
+    /// Known costs.
+    pub costs: Costs,
     scene: Option<PreparedScene>,
     /// Methods that drew views of each kind last.
     kept: Vec<(Geometry, Method)>,
@@ -78,15 +79,10 @@ impl Automatic {
         Self { has_rays, ..self }
     }
 
-    /// Returns the known costs.
-    pub const fn costs(&mut self) -> &mut Costs {
-        &mut self.costs
-    }
-
     /// The methods that there are for `sight`, and what each is known or expected to cost.
     fn offers(&self, sight: MethodViews<'_>) -> Vec<Offer> {
         let MethodViews { scene, view, pixels } = sight;
-        let has_gpu = self.costs.machine() != Machine::Cpu;
+        let has_gpu = self.costs.machine != Machine::Cpu;
         let offer = |StatedMethod { method, error_px }| {
             let ms = self.costs.expected_ms(method, view.geometry, pixels);
             Offer { method, error_px, ms }

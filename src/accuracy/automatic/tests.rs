@@ -239,9 +239,9 @@ fn play(machine: Machine, goal: Goal, cost: impl Fn(Method) -> f64) -> (Vec<Meth
         let choice = automatic.choose(goal, sight).expect("something draws");
         let trial = automatic.trial(&choice, sight, now_ms);
         let method = trial.unwrap_or(choice.method);
-        let measured = automatic.costs().is_due(method, view.geometry, now_ms);
+        let measured = automatic.costs.is_due(method, view.geometry, now_ms);
         let ms = cost(method);
-        automatic.costs().note(method, view.geometry, measured.then_some((ms, 1e6)), now_ms);
+        automatic.costs.note(method, view.geometry, measured.then_some((ms, 1e6)), now_ms);
         tried_ms += trial.map_or(0.0, |_| ms);
         drawn.push(choice.method);
         now_ms += ms.max(1000.0 / 60.0);

@@ -23,7 +23,7 @@ const SIZE_WIDTH: f32 = 90.0;
 
 /// Shows it while a file is being chosen.
 pub fn show(ctx: &Context, state: &State, chooser: &mut Chooser, commands: &mut Commands) {
-    let Some(purpose) = chooser.purpose() else { return };
+    let Some(purpose) = chooser.purpose else { return };
     let width = PATH_WIDTH.min(ctx.content_rect().width() - MARGIN);
     Window::new(purpose.title())
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])

@@ -275,7 +275,7 @@ impl App {
             .state
             .plotted_keys()
             .into_iter()
-            .map(|key| match self.curves.iter().position(|curves| *curves.key() == key) {
+            .map(|key| match self.curves.iter().position(|curves| curves.key == key) {
                 Some(kept) => self.curves.swap_remove(kept),
                 None => QuantityCurves::new(key),
             })

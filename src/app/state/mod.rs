@@ -301,7 +301,7 @@ impl State {
         let Document { settings, scene, time, .. } = &self.document;
         // Whoever stands beside the rider has the exposure of the street at rest.
         let is_automatic = settings.light.exposure.0.is_none() && !settings.ride.stands;
-        match self.scratch.comfort.exposure_ev().filter(|_| is_automatic) {
+        match self.scratch.comfort.exposure_ev.filter(|_| is_automatic) {
             Some(exposure_ev) => settings.appearance_at(exposure_ev, scene, light_window),
             None => settings.appearance(scene, *time, light_window),
         }

@@ -123,7 +123,7 @@ pub struct Examination {
     number: u64,
     methods: Vec<Method>,
     /// Method that draws the views.
-    chosen: Method,
+    pub chosen: Method,
     outcomes: Vec<MethodOutcome>,
     shown_maps: Option<ShownMaps>,
 }
@@ -234,12 +234,6 @@ impl Examination {
         if self.sight.take().is_some() {
             self.worker.end();
         }
-    }
-
-    /// Returns the method that draws the views.
-    #[must_use]
-    pub const fn chosen(&self) -> Method {
-        self.chosen
     }
 
     /// Whether there is more to measure.

@@ -68,7 +68,7 @@ pub struct Arrangement {
     /// Height of titles, points; 0 before an audience.
     title: f32,
     /// Height of the band below a picture, points; 0 where the pictures have no ruler.
-    band: f32,
+    pub band: f32,
     /// Magnification of text relative to the default.
     scale: f32,
 }
@@ -110,12 +110,6 @@ impl Arrangement {
     /// Whether there is a single picture.
     fn is_alone(&self) -> bool {
         !self.corrected && !matches!(self.picture.layout.form(), Form::Beside | Form::Above)
-    }
-
-    /// Returns the height of the band below a picture.
-    #[must_use]
-    pub const fn band(&self) -> f32 {
-        self.band
     }
 
     /// Returns this arrangement without the corrected picture.

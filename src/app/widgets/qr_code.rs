@@ -16,8 +16,8 @@ pub fn show(ui: &mut Ui, text: &str, side: f32, what: &str) -> Option<Response> 
     let code = code(ui.ctx(), text)?;
     let scale = ui.pixels_per_point();
     // Whole pixels: edges stay sharp, and no lines appear between modules.
-    let module = (side * scale / code.side() as f32).floor().max(LEAST) / scale;
-    let (rect, response) = ui.allocate_exact_size(Vec2::splat(module * code.side() as f32), Sense::hover());
+    let module = (side * scale / code.side as f32).floor().max(LEAST) / scale;
+    let (rect, response) = ui.allocate_exact_size(Vec2::splat(module * code.side as f32), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, what));
     if ui.is_rect_visible(rect) {
         let corner = pos2((rect.min.x * scale).round() / scale, (rect.min.y * scale).round() / scale);

@@ -27,7 +27,7 @@ fn chosen(scene: &Scene, view: &View, px: f64, favourite: Method) -> Method {
     automatic.choose(Goal::Error(px), sight);
     for method in [Method::Reference, Method::Rays, Method::Packets, favourite] {
         let ms = if method == favourite { 1e-3 } else { 10.0 };
-        automatic.costs().note(method, view.geometry, Some((ms, 1e6)), 0.0);
+        automatic.costs.note(method, view.geometry, Some((ms, 1e6)), 0.0);
     }
     automatic.choose(Goal::Error(px), sight).expect("something draws").method
 }

@@ -18,7 +18,7 @@ use crate::scene::Scene;
 /// Those of standard output.
 pub fn list(library: &Library, is_json: bool) -> anyhow::Result<()> {
     let rows = library.all().iter().map(|lesson| ListedLesson::new(lesson));
-    let table = LessonTable(rows.chain(library.refused().iter().map(ListedLesson::refused)).collect());
+    let table = LessonTable(rows.chain(library.refused.iter().map(ListedLesson::refused)).collect());
     write_out(|out| write_report(&table, is_json, out))
 }
 

@@ -84,7 +84,7 @@ impl TimeArgs {
             return Ok([from, to]);
         }
         let settings = studio.settings();
-        let passage = match settings.passage(&studio.tracked()) {
+        let passage = match settings.passage(&studio.tracked) {
             Some((velocity, place)) => passage_times(&velocity.speed, place, settings.pair())?,
             None => Some([0.0, settings.ride.duration()]),
         };

@@ -139,7 +139,7 @@ impl Data {
         let place = |line: u64| format!("{name}:{line}");
         let mut header = DataHeader::new(row.clone(), eyes).with_context(|| place(input.line(&row)))?;
         let mut treatment = Treatment::default();
-        treatment.note_preamble(input.preamble());
+        treatment.note_preamble(input.preamble);
         let mut said = AssumedUnits::default();
         let (mut baselines, mut samples, mut lines) = (Vec::new(), Vec::new(), Vec::new());
         let mut is_first = true;

@@ -49,7 +49,8 @@ type FromHeader<R> = Chain<Cursor<Vec<u8>>, Decoded<R>>;
 pub struct CsvReader<R> {
     csv: csv::Reader<Tap<FromHeader<R>>>,
     separator: u8,
-    preamble: Preamble,
+    /// What stands before the header.
+    pub preamble: Preamble,
 }
 
 /// What stands before the header, and how the file is encoded.
@@ -85,11 +86,6 @@ impl<R: Read> CsvReader<R> {
             .buffer_capacity(BUFFER_BYTES)
             .from_reader(Tap::new(Cursor::new(begin).chain(reader), lines));
         Ok(Self { csv, separator, preamble })
-    }
-
-    /// Returns what stands before the header.
-    pub const fn preamble(&self) -> Preamble {
-        self.preamble
     }
 
     /// Reads the next row into `row`, with decimal points; false if there is none.

@@ -12,7 +12,8 @@ const LARGEST: u8 = 25;
 /// A QR code: black and white modules in a square, with the quiet zone around them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct QrCode {
-    side: usize,
+    /// Number of modules of a side, with the quiet zone.
+    pub side: usize,
     /// Row by row from the top left.
     modules: Vec<bool>,
 }
@@ -29,12 +30,6 @@ impl QrCode {
         let places = (0..side).flat_map(|row| (0..side).map(move |column| (column - quiet, row - quiet)));
         let modules = places.map(|(column, row)| code.get_module(column, row)).collect();
         Some(Self { side: side as usize, modules })
-    }
-
-    /// Returns the number of modules of a side, with the quiet zone.
-    #[must_use]
-    pub const fn side(&self) -> usize {
-        self.side
     }
 
     /// Returns the black parts of all rows: row, first column, and the column behind the last, from 0.
@@ -76,7 +71,7 @@ mod tests {
     fn a_code_has_its_finders_inside_a_quiet_zone() {
         let quiet = usize::from(QUIET);
         let code = QrCode::new("gamow:?answers=AQRyb2Rz").expect("it is short");
-        let side = code.side();
+        let side = code.side;
         let black: std::collections::BTreeSet<[usize; 2]> =
             code.runs().flat_map(|[row, first, end]| (first..end).map(move |column| [row, column])).collect();
         let inside = quiet..side - quiet;

@@ -187,7 +187,7 @@ fn nothing_that_is_shown_is_beyond_all_numbers_at_the_greatest_speeds() {
                 let drawn = lines.filter_map(|line| line.within(low, high)).flatten();
                 let curves = cones(&diagram).into_iter().flat_map(|cone| cone.curve([low.x, high.x]));
                 let now = diagram.point.at(diagram.other_now());
-                if frame == diagram.other && diagram.point.rests() {
+                if frame == diagram.other && diagram.point.rests {
                     assert!((now.t / diagram.present.t - 1.0).abs() < 1e-12 || time == 0.0, "{diagram:?}");
                 }
                 for event in drawn.chain(curves).chain([low, high, now]) {

@@ -102,7 +102,7 @@ impl Shot<'_> {
     /// seen from both sides.
     pub fn pattern(&self, body: &PreparedBody) -> [f32; 3] {
         let Some(triangles) = &body.triangles else { return body.pattern() };
-        [self.models.row(triangles) as f32, f32::from(u8::from(triangles.is_two_sided())), 0.0]
+        [self.models.row(triangles) as f32, f32::from(u8::from(triangles.is_two_sided)), 0.0]
     }
 
     /// The light of `body` for the shaders; numbers have none.

@@ -27,7 +27,8 @@ use crate::studio::film::FilmKind;
 /// The file that is being chosen: what is typed, and the dialog of the system.
 #[derive(Default)]
 pub struct Chooser {
-    purpose: Option<Purpose>,
+    /// Purpose of the choice.
+    pub purpose: Option<Purpose>,
     /// Text typed for the path.
     pub path: String,
     /// Text typed for the size of an eye's picture.
@@ -44,12 +45,6 @@ pub struct Chooser {
 }
 
 impl Chooser {
-    /// Returns the purpose of the choice.
-    #[must_use]
-    pub const fn purpose(&self) -> Option<Purpose> {
-        self.purpose
-    }
-
     /// Opens or closes as `state` requires, and reads the answer of the system's dialog.
     pub fn update(&mut self, state: &State, commands: &mut Vec<Command>) {
         if self.purpose != state.scratch.chooser {

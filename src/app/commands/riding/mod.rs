@@ -90,7 +90,7 @@ impl State {
             return;
         }
         let [ahead, left, _] =
-            rider.ahead().map(|part| if rider.velocity.is_backward { 0.0 - part } else { part });
+            rider.ahead.map(|part| if rider.velocity.is_backward { 0.0 - part } else { part });
         let azimuth = settings.ride.ride_azimuth + math::atan2(left, ahead).to_degrees();
         settings.motion.turn = (azimuth + 90.0).rem_euclid(360.0) - 180.0;
         settings.look.gaze = GazeChoice::Fixed([azimuth.rem_euclid(360.0), elevation]);
@@ -136,7 +136,7 @@ impl State {
         let rider = self.rider();
         let gained = velocity.rapidity() - rider.velocity.rapidity();
         if gained != 0.0 {
-            let acceleration = rider.ahead().map(|part| part * ride.push.copysign(gained));
+            let acceleration = rider.ahead.map(|part| part * ride.push.copysign(gained));
             self.record(ride.pushed(self.document.time, gained.abs() / ride.push, acceleration));
             self.scratch.saddle.is_taken = true;
             self.scratch.playing = true;

@@ -54,7 +54,7 @@ fn rounding(seen: &SeenPoint, quantity: Quantity) -> f64 {
 
 /// Returns the traces of `quantity`, the ones on top last.
 fn traces<'a>(state: &State, curves: &'a [QuantityCurves], quantity: Quantity) -> Vec<Trace<'a>> {
-    let found = |key: CurvesKey| curves.iter().find(|curves| *curves.key() == key);
+    let found = |key: CurvesKey| curves.iter().find(|curves| curves.key == key);
     let own = |point: &Point| found(state.plotted_key(point, quantity));
     let selected = own(state.document.points.selected());
     let present = if quantity.is_disparity() {
@@ -72,7 +72,7 @@ fn traces<'a>(state: &State, curves: &'a [QuantityCurves], quantity: Quantity) -
 
 /// Returns the traces of a quantity of the selected point that is no disparity.
 fn of_selected(own: &QuantityCurves) -> Vec<Trace<'_>> {
-    match own.key().quantity {
+    match own.key.quantity {
         Quantity::Distance => distances(own),
         quantity if matches!(quantity.row().of, Of::Stereo(_)) => {
             models(own).map(|model| of_model("two eyes", Hue::Stereo, own, model, Whose::Both)).collect()
@@ -84,13 +84,13 @@ fn of_selected(own: &QuantityCurves) -> Vec<Trace<'_>> {
 /// The disparity of the point at rest, for eyes as far apart as the moving one shows them; none where motion
 /// is no slide.
 fn resting(own: &QuantityCurves) -> Option<Trace<'_>> {
-    let is_there = !own.pieces(Whose::Resting, own.key().point.model).is_empty();
+    let is_there = !own.pieces(Whose::Resting, own.key.point.model).is_empty();
     is_there.then(|| Trace {
         name: "at rest, eyes γd apart".to_owned(),
         dash: RIGHT_DASHES,
         wide: false,
         dot: false,
-        ..of_model("", Hue::Measured, own, own.key().point.model, Whose::Resting)
+        ..of_model("", Hue::Measured, own, own.key.point.model, Whose::Resting)
     })
 }
 
@@ -108,14 +108,14 @@ fn of_eyes(own: &QuantityCurves) -> Vec<Trace<'_>> {
 
 /// Returns the traces in a pin of this `name`: of the distances that at which two eyes take the point to be.
 fn of_pin<'a>(curves: &'a QuantityCurves, name: &str, number: usize, dash: Dash) -> Vec<Trace<'a>> {
-    let quantity = curves.key().quantity;
+    let quantity = curves.key.quantity;
     let trace = |(name, hue, whose): (String, Hue, Whose)| Trace {
         name: name.clone(),
         dash,
         pale: true,
         wide: true,
         dot: false,
-        ..of_model(&name, hue, curves, curves.key().point.model, whose)
+        ..of_model(&name, hue, curves, curves.key.point.model, whose)
     };
     let kept = match Whose::of(quantity) {
         _ if quantity.is_disparity() => vec![(name.to_owned(), Hue::Point(number), Whose::Both)],
@@ -129,7 +129,7 @@ fn of_pin<'a>(curves: &'a QuantityCurves, name: &str, number: usize, dash: Dash)
 
 /// The exact model where that is not what the views show, and then what they do.
 fn models(curves: &QuantityCurves) -> impl Iterator<Item = Model> + use<> {
-    let shown = curves.key().point.model;
+    let shown = curves.key.point.model;
     [Model::Exact].into_iter().filter(move |&exact| exact != shown).chain([shown])
 }
 
@@ -139,7 +139,7 @@ const TWO_CONES: &str = "two light cones (exact)";
 
 /// A curve by the model of what the views show or, where that is another, the exact one beside it.
 fn of_model<'a>(name: &str, hue: Hue, curves: &'a QuantityCurves, model: Model, whose: Whose) -> Trace<'a> {
-    let CurvesKey { point, quantity, .. } = curves.key();
+    let CurvesKey { point, quantity, .. } = &curves.key;
     let (name, dash) = match (point.model, model) {
         (Model::Exact, _) => (name.to_owned(), Dash::Solid),
         (_, Model::Exact) => (format!("{name}, {TWO_CONES}"), Dash::Dotted),
@@ -174,7 +174,7 @@ fn of_points<'a>(state: &State, curves: impl Fn(&Point) -> Option<&'a QuantityCu
             let trace = of_model(&name, hue, curves, model, Whose::Both);
             traces.push(Trace { wide: trace.wide && is_selected, ..trace });
         }
-        if curves.key().published {
+        if curves.key.published {
             traces.push(Trace {
                 name: format!("{name}, published"),
                 dash: PUBLISHED_DASHES,
@@ -214,13 +214,7 @@ fn distances(curves: &QuantityCurves) -> Vec<Trace<'_>> {
         .map(|whose| {
             let (hue, dash, wide) = distance_look(whose);
             let name = whose_words(whose)[1].to_owned();
-            Trace {
-                name,
-                dash,
-                wide,
-                dot: true,
-                ..of_model("", hue, curves, curves.key().point.model, whose)
-            }
+            Trace { name, dash, wide, dot: true, ..of_model("", hue, curves, curves.key.point.model, whose) }
         })
         .collect()
 }

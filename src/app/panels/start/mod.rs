@@ -108,7 +108,7 @@ fn front(ui: &mut Ui, state: &State, library: &Library, pictures: Pictures<'_>, 
         let cards: Vec<_> =
             numbered.filter_map(|(number, chapter)| of_chapter(state, number, chapter)).collect();
         Cards::Chapters.show(ui, &cards, pictures.cards, commands);
-        refused(ui, library.refused());
+        refused(ui, &library.refused);
         ui.horizontal_wrapped(|ui| {
             let open = Command::Window(WindowCommand::Toggle(Overlay::Presets));
             let tip = with_keys("Shows all presets, in four groups.", std::slice::from_ref(&open));

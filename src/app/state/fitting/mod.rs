@@ -24,7 +24,8 @@ pub struct Fitting {
     requested: Option<FitKey>,
     shown: Option<FitOutcome>,
     awaited_since: Option<Instant>,
-    requests: u64,
+    /// Number of fits that were requested.
+    pub requests: u64,
 }
 
 impl Fitting {
@@ -82,11 +83,5 @@ impl Fitting {
     #[must_use]
     pub const fn is_pending(&self) -> bool {
         self.awaited_since.is_some()
-    }
-
-    /// Returns the number of fits that were requested.
-    #[must_use]
-    pub const fn requests(&self) -> u64 {
-        self.requests
     }
 }

@@ -29,7 +29,7 @@ const CORNERS: u32 = 64;
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RideComfort {
     /// Automatic exposure that is shown, on its way to the one that the speed has.
-    exposure_ev: Option<f64>,
+    pub exposure_ev: Option<f64>,
     /// Gaze of the frame before.
     gaze: Option<GazeChoice>,
     /// Seconds for which the vignette is still held.
@@ -53,12 +53,6 @@ impl RideComfort {
             held,
             vignette: towards(self.vignette, end, seconds / FADE),
         }
-    }
-
-    /// The automatic exposure that is shown just now; `None` before the first frame of a ride.
-    #[must_use]
-    pub const fn exposure_ev(&self) -> Option<f64> {
-        self.exposure_ev
     }
 
     /// Whether the exposure is still on its way to `target_ev`, or the vignette has not gone yet.
@@ -116,12 +110,12 @@ mod tests {
     #[test]
     fn a_push_does_not_flash_and_the_exposure_arrives() {
         let mut comfort = RideComfort::default().after(FRAME, 0.0, AHEAD, true);
-        assert_eq!(comfort.exposure_ev(), Some(0.0));
+        assert_eq!(comfort.exposure_ev, Some(0.0));
         let mut frames = 0;
         while comfort.is_on_its_way(-6.0) {
-            let before = comfort.exposure_ev().expect("there was a frame");
+            let before = comfort.exposure_ev.expect("there was a frame");
             comfort = comfort.after(FRAME, -6.0, AHEAD, true);
-            let now = comfort.exposure_ev().expect("there was a frame");
+            let now = comfort.exposure_ev.expect("there was a frame");
             assert!((now - before).abs() < 1.000_001 * EV_PER_SECOND * FRAME, "{before} to {now}");
             frames += 1;
         }

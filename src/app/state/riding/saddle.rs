@@ -72,7 +72,7 @@ impl Push {
     /// the ride by this angle, degrees.
     #[must_use]
     pub fn new(direction: PushDirection, looks: f64, rider: &Rider) -> Self {
-        let ahead = rider.ahead();
+        let ahead = rider.ahead;
         let towards = match direction {
             PushDirection::Forwards => ahead,
             PushDirection::Backwards => ahead.map(|part| 0.0 - part),

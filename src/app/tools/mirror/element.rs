@@ -16,15 +16,11 @@ pub struct Element {
     attributes: Vec<(&'static str, String)>,
     text: Option<String>,
     value: Option<String>,
-    is_group: bool,
+    /// Whether there is anything in it but text.
+    pub holds_children: bool,
 }
 
 impl Element {
-    /// Whether there is anything in it but text.
-    pub fn holds_children(&self) -> bool {
-        self.is_group
-    }
-
     /// Adds what changes an element that is as `before` into this one. The page's value is not what it was
     /// where somebody has `touched` it.
     pub fn add_changes(&self, id: NodeId, before: &Self, touched: bool, changes: &mut Vec<Change>) {
@@ -191,8 +187,8 @@ impl Nodes {
             Form::Lines => "textarea",
             _ => "div",
         };
-        let is_group = matches!(form, Form::Group(_));
-        Some(Element { tag, children: Vec::new(), attributes, text, value, is_group })
+        let holds_children = matches!(form, Form::Group(_));
+        Some(Element { tag, children: Vec::new(), attributes, text, value, holds_children })
     }
 
     /// The name of a node: its own, that of its labels, or the placeholder of an empty field.

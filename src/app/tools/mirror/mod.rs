@@ -56,7 +56,7 @@ impl Mirror {
                 taken.extend(self.take(nodes, nodes.children(id)));
                 continue;
             };
-            let holds_children = element.holds_children();
+            let holds_children = element.holds_children;
             self.elements.insert(id, element);
             self.order.push(id);
             taken.push(id);

@@ -38,7 +38,7 @@ pub struct Background {
     /// Whether what is to be shown is not yet made.
     pub is_awaited: bool,
     /// Whether what is shown is to get smoother.
-    is_refining: bool,
+    pub is_refining: bool,
 }
 
 impl Background {
@@ -52,11 +52,6 @@ impl Background {
             is_awaited: false,
             is_refining: false,
         }
-    }
-
-    /// Whether what is shown is to get smoother.
-    pub const fn is_refining(&self) -> bool {
-        self.is_refining
     }
 
     /// Returns the picture for `request`, once it is drawn. Drawing begins when the request no longer

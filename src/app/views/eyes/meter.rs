@@ -127,10 +127,10 @@ impl Meter {
         let method = by.method;
         let geometry = request.view.geometry;
         let is_due =
-            self.awaited == 0 && self.automatic.costs().is_due(method, geometry, self.clock.elapsed_ms());
+            self.awaited == 0 && self.automatic.costs.is_due(method, geometry, self.clock.elapsed_ms());
         if !is_due {
             let drew = self.draw_now(renderers, gpu, request, by, target)?;
-            self.automatic.costs().note(method, geometry, None, self.clock.elapsed_ms());
+            self.automatic.costs.note(method, geometry, None, self.clock.elapsed_ms());
             return Ok(drew);
         }
         gpu.wait()?;
@@ -180,7 +180,7 @@ impl Meter {
         let now_ms = self.clock.elapsed_ms();
         for Measured { method, geometry, ms, pixels } in self.measured.try_iter() {
             self.awaited = self.awaited.saturating_sub(1);
-            self.automatic.costs().note(method, geometry, Some((ms, pixels)), now_ms);
+            self.automatic.costs.note(method, geometry, Some((ms, pixels)), now_ms);
         }
     }
 }

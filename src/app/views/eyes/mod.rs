@@ -133,7 +133,7 @@ impl EyePictures {
     /// Whether no picture is to get smoother.
     #[must_use]
     pub fn is_refined(&self) -> bool {
-        !self.backgrounds.iter().flatten().any(Background::is_refining)
+        !self.backgrounds.iter().flatten().any(|background| background.is_refining)
     }
 
     /// Begins a frame in which the choice of what draws is automatic or not.

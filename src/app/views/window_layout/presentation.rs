@@ -46,7 +46,7 @@ impl Presentation {
             return Self { panes, words: None, panel: None };
         }
         let share = if is_lesson { PICTURE_SHARE_IN_LESSON } else { PICTURE_SHARE };
-        let (upper, words) = split_top(area, share * area.height() + arranged.band());
+        let (upper, words) = split_top(area, share * area.height() + arranged.band);
         let (views, panel) = split_left(upper, (1.0 - panel.width()) * upper.width());
         let panes = large_enough(views).map_or_else(Vec::new, |_| arranged.panes(views));
         let margins = vec2(ASIDE * area.width(), ABOVE_AND_BELOW * area.height());

@@ -56,7 +56,8 @@ pub struct Triangles {
     textures: Vec<Arc<MipMap>>,
     texture_numbers: Vec<u32>,
     texture_places: Vec<[f32; 2]>,
-    is_two_sided: bool,
+    /// Whether they are seen from both sides.
+    pub(crate) is_two_sided: bool,
     hierarchy: Hierarchy,
     middle: DVec3,
     half: DVec3,

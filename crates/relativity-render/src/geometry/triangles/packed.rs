@@ -115,11 +115,6 @@ impl Triangles {
         (nodes.len() as u32, leaves)
     }
 
-    /// Returns whether they are seen from both sides.
-    pub(crate) const fn is_two_sided(&self) -> bool {
-        self.is_two_sided
-    }
-
     fn record(&self, triangle: u32) -> [Texel; TEXELS] {
         let corners = self.faces[triangle as usize];
         let paints = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]

@@ -184,7 +184,7 @@ impl<'a> CurveSearch<'a> {
             }
             let Some(s) = root([from, to], |s| off(self.at(s))) else { continue };
             let [place, direction] = self.at(s);
-            let is_seen = self.triangles.is_two_sided() || across.dot(direction) < 0.0;
+            let is_seen = self.triangles.is_two_sided || across.dot(direction) < 0.0;
             let weights = weights_at(place - a, [b - a, c - a], across).filter(|_| is_seen);
             if let Some(weights) = weights.filter(|weights| self.triangles.is_solid(triangle, *weights)) {
                 let point = TrianglePoint { triangle, weights: weights.map(|weight| weight as f32) };

@@ -45,7 +45,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, comma
     let before = state.document.settings.quality;
     let mut quality = before;
     automatic(ui, state, &mut quality);
-    let chosen = examination.chosen();
+    let chosen = examination.chosen;
     let (table, plot) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH, LEAST_PLOT);
     part(ui, "figures", table, |ui| {
         let area = ScrollArea::both().auto_shrink(false);

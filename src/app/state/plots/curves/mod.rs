@@ -221,7 +221,8 @@ pub struct CurvesKey {
 /// The curves of a quantity of a point, by everyone who has a value of it.
 #[derive(Debug, Clone)]
 pub struct QuantityCurves {
-    key: CurvesKey,
+    /// The key that the curves were made for.
+    pub key: CurvesKey,
     drawn: Vec<(Model, Whose, CurvePieces)>,
 }
 
@@ -246,12 +247,6 @@ impl QuantityCurves {
             drawn.extend(others.map(|&whose| (model, whose, curve(&key, model, whose, &bends))));
         }
         Self { key, drawn }
-    }
-
-    /// Returns the key that the curves were made for.
-    #[must_use]
-    pub const fn key(&self) -> &CurvesKey {
-        &self.key
     }
 
     /// The pieces of the curve of `whose` value in this `model`: that of the key, the exact one, and of a
