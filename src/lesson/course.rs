@@ -23,7 +23,7 @@ pub struct Course {
     /// Confidence in the draft, if chosen.
     pub confidence: Option<Confidence>,
     /// Whether raised hands are counted.
-    is_class: bool,
+    pub is_class: bool,
     /// Whether the question of what was seen was passed over at the present place.
     is_passed_over: bool,
 }
@@ -147,12 +147,6 @@ impl Course {
     #[must_use]
     pub fn is_answered(&self) -> bool {
         self.record().is_some_and(|record| record.answer().is_some())
-    }
-
-    /// Returns whether raised hands are counted.
-    #[must_use]
-    pub const fn is_class(&self) -> bool {
-        self.is_class
     }
 
     /// Starts or ends counting raised hands.

@@ -66,7 +66,7 @@ fn two_keys_go_through_a_sequence_and_back() {
     }
     let forth = ["street", "step 2 Ask", "step 2 Shown", "step 2 Explained", "0.123", "0.25", "globe"];
     assert_eq!(seen, forth);
-    assert_eq!(window.state().state().course().map(Course::is_class), None, "the lesson is closed");
+    assert_eq!(window.state().state().course().map(|course| course.is_class), None, "the lesson is closed");
     assert_eq!(window.state().state().document.settings.picture.layout, Layout::SideBySide);
     let mut back = vec![shown(&window)];
     for _ in 0..30 {

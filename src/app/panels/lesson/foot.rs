@@ -4,7 +4,7 @@ use eframe::egui::{Align, Button, Layout, Response, RichText, TextWrapMode, Ui, 
 
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, ShowCommand, WindowCommand};
-use crate::app::panels::{Commands, OnClick as _};
+use crate::app::panels::{Commands, OnClick as _, on_change};
 use crate::app::state::State;
 use crate::app::state::lesson::{LessonCommand, Running};
 use crate::app::state::overlay::Overlay;
@@ -42,7 +42,10 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, commands: &mut Comman
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let can_be_set_up = !running.is_running() && course.step().is_some();
                 if can_be_set_up && !state.is_as_in_lesson() {
-                    set_up_again(ui, commands);
+                    let button = Button::new("Set up again").frame_when_inactive(false);
+                    ui.add(button)
+                        .on_hover_text("Restores the state of this step")
+                        .on_click(commands, LessonCommand::SetUp);
                 }
             });
         });
@@ -86,8 +89,8 @@ fn lead_on(ui: &mut Ui, running: &Running, commands: &mut Commands) {
         close(ui, true, commands);
     }
     let is_a_state_alone = course.step().is_some() && !can_go_on;
-    if is_a_state_alone && ui.button("All lessons").clicked() {
-        commands.push(WindowCommand::Toggle(Overlay::Start).into());
+    if is_a_state_alone {
+        ui.button("All lessons").on_click(commands, WindowCommand::Toggle(Overlay::Start));
     }
 }
 
@@ -99,21 +102,20 @@ fn begin(ui: &mut Ui, next: &Lesson, commands: &mut Commands) {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
         main(ui, &name, true, vec2(width, MAIN_SIZE[1]))
     });
-    if begin.inner.on_hover_text(format!("Begins the next lesson: {}", next.title)).clicked() {
-        commands.push(LessonCommand::Open(next.name.clone()).into());
-    }
+    begin
+        .inner
+        .on_hover_text(format!("Begins the next lesson: {}", next.title))
+        .on_click(commands, LessonCommand::Open(next.name.clone()));
 }
 
 /// The button that closes the lesson; it leads on where no other does.
 fn close(ui: &mut Ui, is_main: bool, commands: &mut Commands) {
-    let is_closed = if is_main {
-        main(ui, "Close", true, MAIN_SIZE.into()).clicked()
+    let button = if is_main {
+        main(ui, "Close", true, MAIN_SIZE.into())
     } else {
-        ui.add(Button::new("Close").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false)).clicked()
+        ui.add(Button::new("Close").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false))
     };
-    if is_closed {
-        commands.push(LessonCommand::Close.into());
-    }
+    button.on_click(commands, LessonCommand::Close);
 }
 
 /// The button that leads on, of at least this `size`.
@@ -132,14 +134,8 @@ fn main(ui: &mut Ui, text: &str, is_enabled: bool, size: Vec2) -> Response {
 }
 
 fn count_hands(ui: &mut Ui, course: &Course, commands: &mut Commands) {
-    let mut is_class = course.is_class();
+    let mut is_class = course.is_class;
     let tip = "Counts how many of a class raise their hands for each choice";
-    if ui.checkbox(&mut is_class, "Count hands").on_hover_text(tip).changed() {
-        commands.push(LessonCommand::ToggleClass.into());
-    }
-}
-
-fn set_up_again(ui: &mut Ui, commands: &mut Commands) {
-    let button = Button::new("Set up again").frame_when_inactive(false);
-    ui.add(button).on_hover_text("Restores the state of this step").on_click(commands, LessonCommand::SetUp);
+    ui.checkbox(&mut is_class, "Count hands").on_hover_text(tip);
+    on_change(commands, &course.is_class, is_class, |_| LessonCommand::ToggleClass);
 }
