@@ -296,7 +296,7 @@ impl DataHeader {
         let has_names =
             row.len() == self.names.len() + 1 && row.iter().all(|field| !field.trim_ascii().is_empty());
         if has_names && row[0].trim_ascii().iter().all(u8::is_ascii_digit) {
-            treatment.note_row_names();
+            treatment.notes.push("the first field of each row is its name".to_owned());
             self.names = self.names.after_row_names();
             self.columns_mut().for_each(|(_, column)| column.place += 1);
             return Ok(false);

@@ -8,7 +8,7 @@ use crate::files::csv_in::Preamble;
 /// What was read in another way than it stands in the file, and what was left out.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Treatment {
-    notes: Vec<String>,
+    pub(super) notes: Vec<String>,
     /// Rows that are comments.
     pub comments: usize,
     /// Rows of empty fields.
@@ -31,11 +31,6 @@ impl Treatment {
         if has_text {
             self.notes.push(format!("{} passed over before the header", counted(lines, "line")));
         }
-    }
-
-    /// Notes that rows begin with a name that the header lacks.
-    pub fn note_row_names(&mut self) {
-        self.notes.push("the first field of each row is its name".to_owned());
     }
 
     /// Notes the units that are turned into others, of columns by these names.
