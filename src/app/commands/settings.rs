@@ -67,7 +67,9 @@ impl State {
             SettingsCommand::Motion(motion) => settings.motion = motion,
             SettingsCommand::Look(look) => settings.look = look,
             SettingsCommand::Picture(picture) => settings.picture = picture,
-            SettingsCommand::Light(light) => self.set_light(light),
+            SettingsCommand::Light(light) => {
+                self.set_or_tell(Settings { light, ..Settings::clone(&self.document.settings) });
+            }
             SettingsCommand::Quality(quality) => settings.quality = quality,
             SettingsCommand::Playback(playback) => settings.playback = playback,
             SettingsCommand::Plots(plots) => settings.plots = plots,
@@ -106,12 +108,6 @@ impl State {
             None => {
                 self.tell(Notice::error("No separation of the eyes makes these views comfortable."));
             }
-        }
-    }
-
-    fn set_light(&mut self, light: LightSettings) {
-        if let Err(error) = self.set(Settings { light, ..Settings::clone(&self.document.settings) }) {
-            self.tell(Notice::error(error));
         }
     }
 

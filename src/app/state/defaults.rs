@@ -1,7 +1,6 @@
 //! Defaults: those of the shown preset, or else the program's own; and the ways back to them.
 
 use crate::app::state::State;
-use crate::app::state::notice::Notice;
 use crate::app::state::points::Points;
 use crate::app::tools::clock;
 use crate::settings::{LookSettings, MotionSettings, PictureSettings, Settings};
@@ -124,8 +123,6 @@ impl State {
 
     /// Resets the settings in `section` to their defaults.
     pub(in crate::app) fn reset(&mut self, section: Section) {
-        if let Err(error) = self.set(section.as_in(&self.defaults(), &self.document.settings)) {
-            self.tell(Notice::error(error));
-        }
+        self.set_or_tell(section.as_in(&self.defaults(), &self.document.settings));
     }
 }

@@ -201,6 +201,13 @@ impl State {
         Ok(())
     }
 
+    /// Has these settings as [`Self::set`], or tells why they cannot be had.
+    pub(in crate::app) fn set_or_tell(&mut self, settings: Settings) {
+        if let Err(error) = self.set(settings) {
+            self.tell(Notice::error(error));
+        }
+    }
+
     /// Shows `scene` in place of another version of it, with the points that are still there.
     pub(in crate::app) fn show_scene(&mut self, scene: ReadyScene) {
         let ReadyScene { scene, prepared } = scene;

@@ -32,7 +32,7 @@ impl State {
                 if ride.is_on() != self.document.settings.ride.is_on() {
                     self.scratch.saddle = Saddle::default();
                 }
-                self.have(Settings { ride, ..Settings::clone(&self.document.settings) });
+                self.set_or_tell(Settings { ride, ..Settings::clone(&self.document.settings) });
             }
             RideCommand::Reach(velocity) => self.pedal_to(velocity),
             RideCommand::Face => self.face(),
@@ -76,7 +76,7 @@ impl State {
         if settings.picture.layout.shows_two_apart() {
             settings.picture.layout = Layout::Left;
         }
-        self.have(settings);
+        self.set_or_tell(settings);
         self.document.time = 0.0;
         self.scratch.saddle = Saddle { is_taken: true, layout_before, ..Saddle::default() };
         self.scratch.playing = true;
@@ -111,17 +111,10 @@ impl State {
         if settings.picture.layout == Layout::Left {
             settings.picture.layout = self.scratch.saddle.layout_before.unwrap_or(default.picture.layout);
         }
-        self.have(settings);
+        self.set_or_tell(settings);
         self.scratch.saddle = Saddle::default();
         let tracked = self.document.points.selected().track;
         self.document.time = clock::bounded(self.document.settings.time_of_approach(&tracked));
-    }
-
-    /// Has these settings, and the scene with a bicycle below the eyes or without.
-    fn have(&mut self, settings: Settings) {
-        if let Err(error) = self.set(settings) {
-            self.tell(Notice::error(error));
-        }
     }
 
     /// Pedals or brakes until this speed is reached, for which T runs; who has not started yet starts with
@@ -171,7 +164,7 @@ impl State {
             Ok(ride) if ride.has_bicycle() == self.document.settings.ride.has_bicycle() => {
                 self.document.settings.ride = ride;
             }
-            Ok(ride) => self.have(Settings { ride, ..Settings::clone(&self.document.settings) }),
+            Ok(ride) => self.set_or_tell(Settings { ride, ..Settings::clone(&self.document.settings) }),
             Err(reason) => self.tell(Notice::error(format!("No further push: {reason}."))),
         }
     }
