@@ -1,6 +1,6 @@
 //! Axes: lines at round numbers, the numbers at the edges, and what they are of.
 
-use eframe::egui::{Align2, Painter, Pos2, Stroke, TextStyle, Ui, pos2, vec2};
+use eframe::egui::{Align2, Painter, Pos2, Stroke, Ui, pos2, vec2};
 
 use super::canvas;
 use super::labels::MapLabels;
@@ -37,8 +37,7 @@ pub fn paint(
     let zero = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.4));
     let mut write = |axis: AxisQuantity<'_>, place: Pos2, align: Align2, text: &str| {
         if axis.is_written {
-            let font = TextStyle::Small.resolve(ui.style());
-            labels.write_at(painter, (place, align), text, font, ui.visuals().weak_text_color());
+            labels.write_at((place, align), text, ui.visuals().weak_text_color());
         }
     };
     // Larger numbers need more room.

@@ -1,6 +1,6 @@
 //! The backdrop of the map: a grid, the street, the eyes' fields of view, and the line abreast of the eyes.
 
-use eframe::egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, TextStyle, Vec2, pos2, vec2};
+use eframe::egui::{Align2, Pos2, Shape, Stroke, Vec2, pos2, vec2};
 use relativity_core::Event;
 
 use super::sheet::{SheetPainter, SpaceSheet};
@@ -12,7 +12,6 @@ use crate::eye::Eye;
 use crate::map::{MapProjection, StraightLine, field_of_view, street_lines, way_of_rider};
 use crate::settings::MapFrame;
 
-/// Size of the words.
 /// From the corner to the title, beside the symbol of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
 /// Fraction of the length of a slanting street line at which its name is written.
@@ -38,8 +37,7 @@ fn axes_and_title(on: &mut SheetPainter<'_>) {
         MapProjection::Side => "from the side",
     };
     let place = sheet.room().min + theme::text_scale(ui.style()) * TITLE;
-    let (font, colour) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
-    labels.write_at(painter, (place, Align2::LEFT_TOP), title, font, colour);
+    labels.write_at((place, Align2::LEFT_TOP), title, ui.visuals().weak_text_color());
 }
 
 /// Returns the axes of a chart. Both charts share x, whose numbers are below the lower one.
@@ -64,7 +62,7 @@ fn axes_of(state: &State, projection: MapProjection) -> [AxisQuantity<'static>; 
 /// The kerbs and the house fronts from above, the ground from the side, and their names.
 fn street(on: &mut SheetPainter<'_>) {
     let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
-    let (font, colour) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
+    let colour = ui.visuals().weak_text_color();
     let stroke = Stroke::new(1.5, ui.visuals().weak_text_color().gamma_multiply(0.7));
     let room = sheet.room();
     let mut level = Vec::new();
@@ -76,11 +74,11 @@ fn street(on: &mut SheetPainter<'_>) {
         } else if let Some(ends) = across_chart(sheet, [from, to]) {
             painter.line_segment(ends, stroke);
             labels.places.avoid(ends, 1.0);
-            labels.write(painter, (ends[0].lerp(ends[1], NAMED_AT), 1.0), name, font.clone(), colour);
+            labels.write((ends[0].lerp(ends[1], NAMED_AT), 1.0), name, colour);
         }
     }
     for (place, name) in level {
-        labels.write_at(painter, (place, Align2::RIGHT_BOTTOM), name, font.clone(), colour);
+        labels.write_at((place, Align2::RIGHT_BOTTOM), name, colour);
     }
 }
 
@@ -115,7 +113,7 @@ fn way(on: &mut SheetPainter<'_>) {
         painter.line(places, Stroke::new(1.0, colour));
     });
     if let Some(place) = named {
-        labels.write(painter, (place, 2.0), "my way", TextStyle::Small.resolve(ui.style()), colour);
+        labels.write((place, 2.0), "my way", colour);
     }
 }
 
@@ -153,19 +151,15 @@ fn abreast(on: &mut SheetPainter<'_>) {
     let x = sheet.on_screen(instant.middle()).x;
     let room = sheet.room();
     let colour = ui.visuals().text_color().gamma_multiply(0.7);
-    dashed(painter, [pos2(x, room.min.y), pos2(x, room.max.y)], colour);
+    let ends = [pos2(x, room.min.y), pos2(x, room.max.y)];
+    painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, colour), 4.0, 4.0));
     if sheet.projection == MapProjection::Plan {
         let text = if instant.frame() == MapFrame::Ground && !ride.is_on() {
             "abreast: x = 0"
         } else {
             "abreast of the eyes"
         };
-        let font = TextStyle::Small.resolve(ui.style());
         let place = pos2(x + 4.0, room.min.y + 3.0);
-        labels.write_at(painter, (place, Align2::LEFT_TOP), text, font, colour);
+        labels.write_at((place, Align2::LEFT_TOP), text, colour);
     }
-}
-
-fn dashed(painter: &Painter, ends: [Pos2; 2], colour: Color32) {
-    painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, colour), 4.0, 4.0));
 }

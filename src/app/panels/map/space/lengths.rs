@@ -1,7 +1,6 @@
 //! The length of the selected rod, or of what has the selected point, in each picture of the close-up,
 //! written beside it.
 
-use eframe::egui::TextStyle;
 use glam::DVec3;
 
 use super::sheet::{SheetPainter, colour};
@@ -42,7 +41,7 @@ fn ends(scene: &Scene, body: usize) -> Option<[Track; 2]> {
 
 /// Writes the lengths in the plan of a close-up, if what is selected has two ends.
 pub(super) fn show(on: &mut SheetPainter<'_>) {
-    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
+    let SheetPainter { ui, state, instant, sheet, labels, .. } = on;
     if state.document.settings.map.framing != MapFraming::CloseUp || sheet.projection != MapProjection::Plan {
         return;
     }
@@ -62,8 +61,7 @@ pub(super) fn show(on: &mut SheetPainter<'_>) {
     for (picture, name, [from, to]) in pictures {
         let middle = sheet.on_screen(from.midpoint(to));
         let text = format!("{name}: {}", length.text(from.distance(to), DECIMALS));
-        let font = TextStyle::Small.resolve(ui.style());
-        labels.write(painter, (middle, BESIDE), &text, font, colour(picture, ui.visuals()));
+        labels.write((middle, BESIDE), &text, colour(picture, ui.visuals()));
         canvas::name_place(ui, sheet.room(), middle, &format!("{}: length, {text}", sheet.name()));
     }
 }

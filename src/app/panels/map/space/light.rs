@@ -3,7 +3,7 @@
 
 use std::f32::consts::PI;
 
-use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, Vec2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2};
 use glam::DVec3;
 use relativity_core::{Event, math};
 
@@ -92,7 +92,7 @@ impl<'a> ChartLight<'a> {
 
     /// Writes beside the way of the light when it left: by the ground's clocks, or by those of the bicycle.
     fn name_way(&self, on: &mut SheetPainter<'_>) {
-        let SheetPainter { ui, painter, state, labels, .. } = on;
+        let SheetPainter { ui, state, labels, .. } = on;
         let ways = self.rays.map(|ray| self.ends(&ray));
         for way in &ways {
             labels.places.avoid(way, 1.0);
@@ -109,15 +109,14 @@ impl<'a> ChartLight<'a> {
         let [[from, to], _] = ways;
         let middle = from.lerp(to, NAMED_AT);
         if from.distance(to) > SHORTEST_NAMED && self.sheet.room().contains(middle) {
-            let font = TextStyle::Small.resolve(ui.style());
-            labels.write(painter, (middle, ARROW), &text, font, ui.visuals().text_color());
+            labels.write((middle, ARROW), &text, ui.visuals().text_color());
         }
     }
 
     /// Says what the circles are, where there is room, on the side of the light's front that is away from the
     /// eyes.
     fn name_front(&self, on: &mut SheetPainter<'_>) {
-        let SheetPainter { ui, painter, labels, .. } = on;
+        let SheetPainter { ui, labels, .. } = on;
         let room = self.sheet.room();
         let [ray, _] = self.rays;
         let Some((middle, radius)) = self.circle(&ray.front()).filter(|_| room.width() > NARROWEST_NAMED)
@@ -128,7 +127,7 @@ impl<'a> ChartLight<'a> {
         let places = TURNS.map(|turn| middle + radius * Vec2::angled(away.angle() + turn));
         if let Some(place) = places.into_iter().find(|place| room.shrink(20.0).contains(*place)) {
             let colour = theme::eye_colour(Eye::Left, ui.visuals());
-            labels.write(painter, (place, 2.0), "wave front", TextStyle::Small.resolve(ui.style()), colour);
+            labels.write((place, 2.0), "wave front", colour);
         }
     }
 

@@ -54,21 +54,20 @@ fn points(on: &SheetPainter<'_>) {
 
 /// Says where the selected point is measured when that is off the sheet, ahead of where it is seen.
 fn beyond(on: &mut SheetPainter<'_>) {
-    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
+    let SheetPainter { ui, state, instant, sheet, labels, .. } = on;
     let (room, point) = (sheet.room(), state.document.points.selected());
     let Some(at) = instant.place(&point.track, BodyPicture::Measured).map(|at| sheet.on_screen(at)) else {
         return;
     };
     if sheet.projection == MapProjection::Plan && at.x > room.max.x && room.y_range().contains(at.y) {
         let place = (pos2(room.max.x - 4.0, at.y), Align2::RIGHT_CENTER);
-        let font = TextStyle::Small.resolve(ui.style());
-        labels.write_at(painter, place, "measured now →", font, theme::measured_colour(ui.visuals()));
+        labels.write_at(place, "measured now →", theme::measured_colour(ui.visuals()));
     }
 }
 
 /// Writes the measured and the seen distance of the selected point, if distances are switched on.
 fn distances(on: &mut SheetPainter<'_>) {
-    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
+    let SheetPainter { ui, state, instant, sheet, labels, .. } = on;
     if !state.document.settings.window.distances || sheet.projection != MapProjection::Plan {
         return;
     }
@@ -79,16 +78,15 @@ fn distances(on: &mut SheetPainter<'_>) {
         let Some(at) = instant.place(&point.track, picture) else { continue };
         let from = if picture == BodyPicture::Measured { left.midpoint(right) } else { left };
         let text = format!("{name}: {} away", state.measures().length.text(from.distance(at), DECIMALS));
-        let font = TextStyle::Small.resolve(ui.style());
         let place = sheet.on_screen(at);
-        labels.write(painter, (place, 8.0), &text, font, colour(picture, ui.visuals()));
+        labels.write((place, 8.0), &text, colour(picture, ui.visuals()));
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
 }
 
 /// Says so when the selected point is beside the eyes: measured there now, or seen there.
 fn abreast(on: &mut SheetPainter<'_>) {
-    let SheetPainter { ui, painter, state, instant, sheet, labels } = on;
+    let SheetPainter { ui, state, instant, sheet, labels, .. } = on;
     let point = state.document.points.selected();
     if instant.frame() == MapFrame::Bicycle
         || state.document.settings.ride.is_on()
@@ -107,7 +105,7 @@ fn abreast(on: &mut SheetPainter<'_>) {
     for (at, text, colour) in words {
         let Some(at) = at.filter(|at| at.x.abs() * sheet.chart.scale <= ABREAST) else { continue };
         let place = sheet.on_screen(at);
-        labels.write(painter, (place, 8.0), text, TextStyle::Small.resolve(ui.style()), colour);
+        labels.write((place, 8.0), text, colour);
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
 }

@@ -31,7 +31,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
         let sheet = SpaceSheet { projection, chart };
         let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), commands);
         let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
-        let labels = MapLabels::new(sheet.room(), ui.visuals().extreme_bg_color);
+        let labels = MapLabels::new(ui, &painter, sheet.room());
         let mut on = SheetPainter { ui, painter: &painter, state, instant: &instant, sheet, labels };
         backdrop::paint(&mut on);
         let light = ChartLight::new(state, &sheet);

@@ -1,6 +1,6 @@
 //! Lines of the diagram: worldlines, past light cones, light, and presents.
 
-use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
+use eframe::egui::{Color32, Pos2, Shape, Stroke};
 use relativity_core::Event;
 use relativity_render::Velocity;
 
@@ -209,10 +209,7 @@ fn upper([first, last]: [Pos2; 2]) -> Pos2 {
 
 /// Names what is not clear by its marks; first the lines of what is now, which differ by nothing else.
 pub fn name(sheet: &DiagramSheet<'_>, labels: &mut MapLabels) {
-    let font = TextStyle::Small.resolve(sheet.ui.style());
-    let mut write = |place: Pos2, text: &str, colour: Color32| {
-        labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour)
-    };
+    let mut write = |place: Pos2, text: &str, colour: Color32| labels.write((place, 1.0), text, colour);
     let number = number_of_nows(sheet);
     let names = if number == 1 {
         ["now".to_owned(), String::new()]

@@ -1,6 +1,6 @@
 //! The marked events: received, happened, measured now.
 
-use eframe::egui::{Color32, Pos2, Stroke, TextStyle, vec2};
+use eframe::egui::{Color32, Pos2, Stroke, vec2};
 
 use super::sheet::{DiagramSheet, HANDLE};
 use super::{lines, words};
@@ -108,7 +108,6 @@ pub fn paint(sheet: &DiagramSheet<'_>, marks: &[EventMark], labels: &mut MapLabe
         }
         labels.places.keep_clear_of(mark.place, RADIUS);
     }
-    let font = TextStyle::Small.resolve(sheet.ui.style());
     let strong = sheet.ui.visuals().strong_text_color();
     let present = sheet.place(sheet.diagram.present);
     if sheet.room().contains(present) {
@@ -116,10 +115,10 @@ pub fn paint(sheet: &DiagramSheet<'_>, marks: &[EventMark], labels: &mut MapLabe
         let text =
             format!("{} {time}{}", sheet.state.clock().received.name, sheet.state.measures().time.suffix());
         labels.places.keep_clear_of(present, HANDLE);
-        labels.write(&sheet.painter, (present, HANDLE), &text, font.clone(), strong);
+        labels.write((present, HANDLE), &text, strong);
     }
     for mark in shown().filter(|mark| !mark.label.is_empty()) {
-        labels.write(&sheet.painter, (mark.place, RADIUS), &mark.label, font.clone(), strong);
+        labels.write((mark.place, RADIUS), &mark.label, strong);
     }
 }
 

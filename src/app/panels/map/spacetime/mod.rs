@@ -18,7 +18,7 @@ use super::axes::{self, AxisQuantity};
 use super::canvas;
 use super::labels::MapLabels;
 use crate::app::commands::PlaybackCommand;
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::points::Point;
 use crate::map::{Diagram, around_now, chart, home};
@@ -33,8 +33,7 @@ const TITLE: Vec2 = vec2(44.0, 3.0);
 pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     let (settings, time) = (&state.document.settings, state.document.time);
     let (track, frame) = (state.document.points.selected().track, settings.frame(time));
-    let background = ui.visuals().extreme_bg_color;
-    ui.painter().rect_filled(rect, 0.0, background);
+    ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
     // Outside the domain of the core there is nothing to draw.
     let Ok(diagram) = Diagram::new(settings, &track, time, frame) else { return };
     let others = others(state, time, frame);
@@ -45,7 +44,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, commands: &mut Commands) {
     let response = canvas::look_around(ui, state, NAME, &chart, [0, 1], commands);
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
     let sheet = DiagramSheet { ui, painter, chart, state, diagram, others };
-    let mut labels = MapLabels::new(rect, background);
+    let mut labels = MapLabels::new(ui, &sheet.painter, rect);
     let title = Title::new(&sheet);
     labels.places.keep_free(title.rect);
     axes::paint(ui, &sheet.painter, &sheet.chart, axes_of(state), &mut labels);
@@ -148,9 +147,7 @@ fn point_at(
     let text = text.or_else(|| lines::hover_text(sheet, pointer));
     if let Some(aimed) = aimed {
         response.clone().on_hover_cursor(CursorIcon::PointingHand);
-        if response.clicked() {
-            commands.push(PlaybackCommand::GoTo(aimed.time).into());
-        }
+        response.on_click(commands, PlaybackCommand::GoTo(aimed.time));
     }
     if let Some(text) = text {
         response.clone().on_hover_text_at_pointer(text);
