@@ -116,20 +116,38 @@ pub enum Edit {
 #[derive(Debug, Clone)]
 pub struct NumberRow<'a> {
     /// Name on screen and for assistive technology.
-    pub name: &'a str,
+    name: &'a str,
     /// Description for the tooltip.
-    pub tip: &'a str,
+    tip: &'a str,
     /// Range of the slider.
-    pub slider: RangeInclusive<f64>,
+    slider: RangeInclusive<f64>,
     /// Range that may be typed.
-    pub typed: RangeInclusive<f64>,
-    /// Digits behind the point at most.
-    pub decimals: usize,
-    /// Unit behind the number.
-    pub suffix: &'a str,
+    typed: RangeInclusive<f64>,
+    decimals: usize,
+    suffix: &'a str,
 }
 
-impl NumberRow<'_> {
+impl<'a> NumberRow<'a> {
+    /// Returns a row for numbers without a unit, with at most six digits behind the point.
+    pub const fn new(
+        name: &'a str,
+        tip: &'a str,
+        slider: RangeInclusive<f64>,
+        typed: RangeInclusive<f64>,
+    ) -> Self {
+        Self { name, tip, slider, typed, decimals: 6, suffix: "" }
+    }
+
+    /// Returns the row with at most this many digits behind the point.
+    pub fn decimals(self, decimals: usize) -> Self {
+        Self { decimals, ..self }
+    }
+
+    /// Returns the row with a unit behind the number.
+    pub fn suffix(self, suffix: &'a str) -> Self {
+        Self { suffix, ..self }
+    }
+
     /// Shows the row; true if `value` changed, or was reset to `default`.
     pub fn show(&self, ui: &mut Ui, value: &mut f64, default: f64) -> bool {
         let edit = self.edit(ui, value);

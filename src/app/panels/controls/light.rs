@@ -21,7 +21,10 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     row(ui, "Light", about("colour"), |ui| _ = choice(ui, &mut light.colour, &COLOURS[..3]));
     row(ui, "", "", |ui| _ = choice(ui, &mut light.colour, &COLOURS[3..]));
     if light.colour == Colour::Glowing {
-        temperature().show(ui, &mut light.temperature, default.temperature);
+        NumberRow::new("Temperature", about("temperature"), 600.0..=10_000.0, TEMPERATURE_K)
+            .decimals(2)
+            .suffix(" K")
+            .show(ui, &mut light.temperature, default.temperature);
     }
     let tip = about("doppler-shift");
     row(ui, "Doppler", tip, |ui| _ = choice_of(ui, &mut light.doppler_shift, &SHIFTS, tip));
@@ -46,17 +49,6 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
         });
     }
     on_change(commands, &before, light, SettingsCommand::Light);
-}
-
-fn temperature() -> NumberRow<'static> {
-    NumberRow {
-        name: "Temperature",
-        tip: about("temperature"),
-        slider: 600.0..=10_000.0,
-        typed: TEMPERATURE_K,
-        decimals: 2,
-        suffix: " K",
-    }
 }
 
 /// Shows the exponent of the brightness: light of one wavelength follows it, any other follows Planck's law.
@@ -86,8 +78,7 @@ fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, defaul
         }
     });
     if let Some(ev) = &mut exposure.0 {
-        let row =
-            NumberRow { name: "EV", tip, slider: -8.0..=8.0, typed: EXPOSURE_EV, decimals: 2, suffix: " EV" };
+        let row = NumberRow::new("EV", tip, -8.0..=8.0, EXPOSURE_EV).decimals(2).suffix(" EV");
         if row.edit(ui, ev) == Edit::Restored {
             *exposure = default;
         }

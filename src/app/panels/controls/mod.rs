@@ -124,7 +124,8 @@ fn motion(ui: &mut Ui, state: &State, commands: &mut Commands) {
     if let Some(speed) = sets_bodies.then(|| bodies_speed(ui, state, motion, fields)).flatten() {
         motion.speed = speed;
     }
-    separation_row(ui, measures.length, &mut motion, default);
+    let separation = NumberRow::new("Separation d", about("d"), 0.0..=2.0, 0.0..=MAX_LENGTH);
+    separation.show_in(ui, measures.length, &mut motion.d, default.d);
     if !is_simple {
         path_rows(ui, measures.length, state.document.scene.tracked, &mut motion, default);
     }
@@ -150,18 +151,6 @@ fn bodies_speed(
     ui.push_id("bodies", |ui| speed::show(ui, control)).inner
 }
 
-fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut MotionSettings, default: MotionSettings) {
-    let row = NumberRow {
-        name: "Separation d",
-        tip: about("d"),
-        slider: 0.0..=2.0,
-        typed: 0.0..=MAX_LENGTH,
-        decimals: 6,
-        suffix: "",
-    };
-    row.show_in(ui, unit, &mut motion.d, default.d);
-}
-
 fn path_rows(
     ui: &mut Ui,
     unit: Unit,
@@ -169,22 +158,13 @@ fn path_rows(
     motion: &mut MotionSettings,
     default: MotionSettings,
 ) {
-    let distance = NumberRow {
-        name: "Distance y",
-        tip: "Sets how far in front of the eyes the path runs: y of the scene's tracked point. The whole \
-            scene moves with it.",
-        slider: 0.0..=20.0,
-        typed: -MAX_LENGTH..=MAX_LENGTH,
-        decimals: 6,
-        suffix: "",
-    };
-    let height = NumberRow {
-        name: "Height z",
-        tip: "Sets how high above the eyes the path runs: z of the scene's tracked point. The whole scene \
-            moves with it.",
-        slider: -5.0..=5.0,
-        ..distance.clone()
-    };
+    let lengths = -MAX_LENGTH..=MAX_LENGTH;
+    let distance_tip = "Sets how far in front of the eyes the path runs: y of the scene's tracked point. The \
+        whole scene moves with it.";
+    let distance = NumberRow::new("Distance y", distance_tip, 0.0..=20.0, lengths.clone());
+    let height_tip = "Sets how high above the eyes the path runs: z of the scene's tracked point. The whole \
+        scene moves with it.";
+    let height = NumberRow::new("Height z", height_tip, -5.0..=5.0, lengths);
     let mut depth = scene_depth + motion.depth_shift;
     if distance.show_in(ui, unit, &mut depth, scene_depth + default.depth_shift) {
         motion.depth_shift = shift(depth - scene_depth);
@@ -225,9 +205,8 @@ fn layout_row(ui: &mut Ui, picture: PictureSettings, commands: &mut Commands) {
             .show_ui(ui, |ui| {
                 for (layout, name) in LAYOUTS {
                     let choice = ui.selectable_label(layout == picture.layout, name);
-                    if explained_lazily(choice, || meaning(&layout)).clicked() {
-                        commands.push(SettingsCommand::Picture(PictureSettings { layout, ..picture }).into());
-                    }
+                    explained_lazily(choice, || meaning(&layout))
+                        .on_click(commands, SettingsCommand::Picture(PictureSettings { layout, ..picture }));
                 }
             })
             .response
@@ -356,18 +335,12 @@ impl GazeMode {
 
 fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut LookSettings, commands: &mut Commands) {
     let tip = format!("{} Scroll over a view to zoom there.", about("fov"));
-    let row_of_number = NumberRow {
-        name: "Field of view",
-        tip: &tip,
-        slider: 10.0..=*look.fov_range().end(),
-        typed: look.fov_range(),
-        decimals: 1,
-        suffix: "°",
-    };
+    let slider = 10.0..=*look.fov_range().end();
+    let degrees = NumberRow::new("Field of view", &tip, slider, look.fov_range()).decimals(1).suffix("°");
     // Hidden views compute nothing, not even what would fit them.
     let shown = if state.document.settings.window.views { state.look().set_fov() } else { look.set_fov() };
     let mut fov = shown.unwrap_or(USUAL_FOV);
-    match row_of_number.edit(ui, &mut fov) {
+    match degrees.edit(ui, &mut fov) {
         Edit::Kept => {}
         Edit::Changed => look.fov = FieldOfView(Some(fov)),
         Edit::Restored => look.fov = state.defaults().look.fov,

@@ -18,19 +18,15 @@ const DEPTH: RangeInclusive<f64> = 1e-3..=MAX_LENGTH;
 
 /// Shows the controls of the projection.
 pub fn show(ui: &mut Ui, state: &State, look: &mut LookSettings) {
-    projection_row(ui, &mut look.projection);
+    let key = Command::Settings(SettingsCommand::Switch(Switch::Projection));
+    let tip = with_keys(about("projection"), &[key]);
+    row(ui, "Pictures", &tip, |ui| _ = choice(ui, &mut look.projection, &PROJECTIONS));
     if state.document.settings.projection() != look.projection
         && look.projection == state.document.settings.look.projection
     {
         ui.label("The eyes are one behind the other: the views show camera pictures.");
     }
     zero_parallax_rows(ui, state, look);
-}
-
-fn projection_row(ui: &mut Ui, projection: &mut ProjectionChoice) {
-    let tip =
-        with_keys(about("projection"), &[Command::Settings(SettingsCommand::Switch(Switch::Projection))]);
-    row(ui, "Pictures", &tip, |ui| _ = choice(ui, projection, &PROJECTIONS));
 }
 
 const PROJECTIONS: [(ProjectionChoice, &str); 3] = [
@@ -76,9 +72,8 @@ fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut LookSettings) {
         };
     }
     if let (ZeroParallax::Distance(distance), true) = (&mut look.zero_parallax, is_used) {
-        let row_of_number =
-            NumberRow { name: "Screen at", tip, slider: 0.5..=20.0, typed: DEPTH, decimals: 4, suffix: "" };
-        if row_of_number.edit_in(ui, state.measures().length, distance) == Edit::Restored {
+        let depth = NumberRow::new("Screen at", tip, 0.5..=20.0, DEPTH).decimals(4);
+        if depth.edit_in(ui, state.measures().length, distance) == Edit::Restored {
             look.zero_parallax = state.defaults().look.zero_parallax;
         }
     }

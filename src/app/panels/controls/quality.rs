@@ -44,8 +44,13 @@ fn goal_rows(ui: &mut Ui, state: &State, quality: &mut QualitySettings, default:
         }
     });
     let edit = match &mut quality.goal {
-        Goal::Error(px) => error().edit(ui, px),
-        Goal::Budget(ms) => budget().edit(ui, ms),
+        Goal::Error(px) => {
+            NumberRow::new("Error bound", about("error"), 0.001..=4.0, ERROR_PX).suffix(" px").edit(ui, px)
+        }
+        Goal::Budget(ms) => NumberRow::new("Frame budget", about("budget"), 1.0..=200.0, BUDGET_MS)
+            .decimals(2)
+            .suffix(" ms")
+            .edit(ui, ms),
     };
     if edit == Edit::Restored {
         quality.goal = default.goal;
@@ -64,25 +69,3 @@ const RENDERERS: [(RendererChoice, &str); 5] = [
     (RendererChoice::Mesh, "Mesh"),
     (RendererChoice::Reference, "Reference"),
 ];
-
-fn error() -> NumberRow<'static> {
-    NumberRow {
-        name: "Error bound",
-        tip: about("error"),
-        slider: 0.001..=4.0,
-        typed: ERROR_PX,
-        decimals: 6,
-        suffix: " px",
-    }
-}
-
-fn budget() -> NumberRow<'static> {
-    NumberRow {
-        name: "Frame budget",
-        tip: about("budget"),
-        slider: 1.0..=200.0,
-        typed: BUDGET_MS,
-        decimals: 2,
-        suffix: " ms",
-    }
-}

@@ -34,19 +34,14 @@ pub fn show(ui: &mut Ui, state: &State, commands: &mut Commands) {
     if !ride.is_on() {
         return;
     }
-    push().show(ui, &mut ride.push, default.push);
+    NumberRow::new("Push", about("push"), 0.05..=2.0, PUSH).show(ui, &mut ride.push, default.push);
     start(ui, state, &mut ride, &default);
     direction(ui, &mut ride, &default);
     legs_row(ui, &mut ride);
     row(ui, "Comfort", "Helps against motion sickness on a ride.", |ui| {
         let mut window = state.document.settings.window;
-        if ui
-            .checkbox(&mut window.vignette, "Vignette while turning")
-            .on_hover_text(about("vignette"))
-            .changed()
-        {
-            commands.push(SettingsCommand::Window(window).into());
-        }
+        ui.checkbox(&mut window.vignette, "Vignette while turning").on_hover_text(about("vignette"));
+        on_change(commands, &state.document.settings.window, window, SettingsCommand::Window);
     });
     on_change(commands, &state.document.settings.ride, ride, RideCommand::Set);
 }
@@ -110,19 +105,9 @@ fn speed_row(ui: &mut Ui, state: &State, commands: &mut Commands) {
     }
 }
 
-fn push() -> NumberRow<'static> {
-    NumberRow { name: "Push", tip: about("push"), slider: 0.05..=2.0, typed: PUSH, decimals: 6, suffix: "" }
-}
-
 fn start(ui: &mut Ui, state: &State, ride: &mut Riding, default: &Riding) {
-    let place = NumberRow {
-        name: "Starts at x",
-        tip: about("ride-from"),
-        slider: -50.0..=50.0,
-        typed: -MAX_LENGTH..=MAX_LENGTH,
-        decimals: 6,
-        suffix: "",
-    };
+    let lengths = -MAX_LENGTH..=MAX_LENGTH;
+    let place = NumberRow::new("Starts at x", about("ride-from"), -50.0..=50.0, lengths);
     place.show_in(ui, state.measures().length, &mut ride.ride_from, default.ride_from);
     let shown = ride.ride_speed.to_string();
     if let Some(speed) = checked(ui, "Starts with β", about("ride-speed"), &shown, str::parse) {
@@ -132,7 +117,7 @@ fn start(ui: &mut Ui, state: &State, ride: &mut Riding, default: &Riding) {
 
 /// The direction of the ride, in degrees.
 fn direction(ui: &mut Ui, ride: &mut Riding, default: &Riding) {
-    let angle = |name, tip, slider, typed| NumberRow { name, tip, slider, typed, decimals: 3, suffix: "°" };
+    let angle = |name, tip, slider, typed| NumberRow::new(name, tip, slider, typed).decimals(3).suffix("°");
     let azimuth = angle("Direction", about("ride-azimuth"), -180.0..=180.0, AZIMUTH);
     azimuth.show(ui, &mut ride.ride_azimuth, default.ride_azimuth);
     let elevation = angle("Upwards", about("ride-elevation"), ELEVATION, ELEVATION);

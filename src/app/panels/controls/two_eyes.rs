@@ -29,17 +29,9 @@ fn head_rows(ui: &mut Ui, motion: &mut MotionSettings, default: MotionSettings) 
             [motion.roll, motion.turn] = held;
         }
     });
-    let tilted = NumberRow {
-        name: "Head tilted",
-        tip: about("roll"),
-        slider: -90.0..=90.0,
-        typed: HEAD_DEGREES,
-        decimals: 2,
-        suffix: "°",
-    };
-    let turned = NumberRow { name: "Head turned", tip: about("turn"), ..tilted.clone() };
-    tilted.show(ui, &mut motion.roll, default.roll);
-    turned.show(ui, &mut motion.turn, default.turn);
+    let angle = |name, tip| NumberRow::new(name, tip, -90.0..=90.0, HEAD_DEGREES).decimals(2).suffix("°");
+    angle("Head tilted", about("roll")).show(ui, &mut motion.roll, default.roll);
+    angle("Head turned", about("turn")).show(ui, &mut motion.turn, default.turn);
 }
 
 /// Tilt and turn of eyes that are along and across the motion.
