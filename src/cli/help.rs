@@ -50,7 +50,7 @@ pub fn as_wanted(command: Command, words: &mut Vec<OsString>) -> anyhow::Result<
     let narrow = |command: Command| narrowed(command, section.as_deref());
     Ok(match of_command {
         // Flags of all commands are those of the whole program.
-        Some(name) => without_flags(command).mut_subcommand(name, narrow),
+        Some(name) => command.mut_args(|flag| flag.hide(true)).mut_subcommand(name, narrow),
         None => narrow(command),
     })
 }
@@ -101,11 +101,6 @@ fn narrowed(command: Command, section: Option<&str>) -> Command {
         .disable_help_subcommand(true)
         .arg(help)
         .help_template("{all-args}")
-}
-
-/// Returns `command` with none of its own flags in any help.
-fn without_flags(command: Command) -> Command {
-    command.mut_args(|flag| flag.hide(true))
 }
 
 /// Returns `command` and its own commands with a help that fits a screen: a line for each flag without a

@@ -56,7 +56,10 @@ impl State {
                 self.follow_answers(token);
             }
             FileCommand::Open(_) | FileCommand::OpenData(_) | FileCommand::Reload(_) => {
-                self.read_and_show(&command);
+                // Nothing else is waiting, as without a window.
+                if let Some(errand) = self.errand(&command) {
+                    self.show_file(errand.read());
+                }
             }
             FileCommand::LeaveOut { sample, curve } => {
                 let baseline = self.document.settings.baseline();
@@ -110,14 +113,6 @@ impl State {
         match command {
             FileCommand::Show(file) => file.purpose == Use::RenewScene,
             command => self.errand(command).is_some_and(|errand| errand.purpose == Use::RenewScene),
-        }
-    }
-
-    /// Reads the file that `command` is about, and shows it: where nothing else is waiting, as without a
-    /// window.
-    fn read_and_show(&mut self, command: &FileCommand) {
-        if let Some(errand) = self.errand(command) {
-            self.show_file(errand.read());
         }
     }
 

@@ -137,9 +137,7 @@ impl State {
 
     /// Notes that the lesson is over: the one after it comes next.
     fn note_end(&mut self) {
-        let library = self.library();
-        let after = self.course().and_then(|course| library.after(&course.lesson().name));
-        if let Some(after) = after {
+        if let Some(after) = self.lesson_after() {
             self.session.next_lesson = Some(after.name.clone());
         }
     }

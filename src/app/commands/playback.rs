@@ -23,7 +23,9 @@ impl State {
     pub(super) fn perform_playback(&mut self, command: PlaybackCommand) {
         match command {
             PlaybackCommand::GoTo(time) => self.document.time = clock::bounded(time),
-            PlaybackCommand::GoToPart(fraction) => self.go_within_range(fraction),
+            PlaybackCommand::GoToPart(part) => {
+                self.document.time = clock::bounded(time_within(self.time_range(), part));
+            }
             PlaybackCommand::Step(steps) => self.step_in_time(steps),
             PlaybackCommand::Toggle => self.toggle_playing(),
         }
@@ -35,10 +37,6 @@ impl State {
         let next = (self.document.time / size).round() + f64::from(steps);
         self.document.time = clock::bounded(next * size);
         self.scratch.playing = false;
-    }
-
-    fn go_within_range(&mut self, fraction: f64) {
-        self.document.time = clock::bounded(time_within(self.time_range(), fraction));
     }
 
     /// Lets T run by a `step` of the wall clock, seconds. Where somebody pushes the pedals, the push that

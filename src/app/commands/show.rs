@@ -28,7 +28,9 @@ impl State {
     /// Shows something in place of the document.
     pub(super) fn perform_show(&mut self, command: ShowCommand) {
         match command {
-            ShowCommand::Scene(name) => self.show_named_scene(name),
+            ShowCommand::Scene(name) => {
+                self.show(Settings::clone(&self.document.settings).with_scene(name.to_owned()));
+            }
             ShowCommand::Preset(preset) => self.show_preset(preset),
             ShowCommand::Ride => self.ride_through_the_street(),
             ShowCommand::Next(steps) => self.show_next(steps),
@@ -46,10 +48,6 @@ impl State {
         } else if let Some(preset) = next_to_show(self.document.preset, steps) {
             self.show_preset(preset);
         }
-    }
-
-    fn show_named_scene(&mut self, name: &str) {
-        self.show(Settings::clone(&self.document.settings).with_scene(name.to_owned()));
     }
 
     pub(super) fn show_preset(&mut self, preset: &Preset) {

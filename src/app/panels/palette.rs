@@ -1,8 +1,8 @@
 //! The command palette: every command, found by words of its name.
 
 use eframe::egui::{
-    Align, Align2, Area, Context, Frame, Id, Key, Layout, Margin, Modifiers, Order, Response, RichText,
-    ScrollArea, TextEdit, TextStyle, Ui, vec2,
+    Align, Align2, Area, Context, Event, Frame, Id, Key, Layout, Margin, Modifiers, Order, Response,
+    RichText, ScrollArea, TextEdit, TextStyle, Ui, vec2,
 };
 
 use super::Commands;
@@ -107,16 +107,13 @@ fn list(ui: &mut Ui, entries: &[PaletteEntry], search: &PaletteSearch) -> Option
         if response.clicked() {
             clicked = Some(entry.clone());
         }
+        let is_a_key = |event: &Event| matches!(event, Event::Key { .. });
         let has_moved = ui.input(|input| input.events.iter().any(is_a_key));
         if is_chosen && has_moved {
             response.scroll_to_me(None);
         }
     }
     clicked
-}
-
-fn is_a_key(event: &eframe::egui::Event) -> bool {
-    matches!(event, eframe::egui::Event::Key { .. })
 }
 
 /// The name of `entry`, and at the right end its keys.

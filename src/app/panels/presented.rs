@@ -41,16 +41,11 @@ const KEYS_HEIGHT: f32 = 1.3;
 /// Written between two keys.
 const APART: &str = "·";
 
-/// Returns the height in proportion to which a window of this `area` writes for an audience.
-fn reference_height(area: Rect) -> f32 {
-    area.height().min(LEAST_ASPECT * area.width())
-}
-
 /// Returns the magnification of writing for an audience in a window with this inner `area`: the smallest is
 /// as high as the last row needs, and larger with the window's zoom.
 #[must_use]
 pub fn scale(ctx: &Context, area: Rect) -> f32 {
-    let height = reference_height(area) * ctx.zoom_factor();
+    let height = area.height().min(LEAST_ASPECT * area.width()) * ctx.zoom_factor();
     let [least, most] = SCALES;
     (LEAST_SHARE * height / theme::SMALL_SIZE).clamp(least, most)
 }

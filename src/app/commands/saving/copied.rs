@@ -7,7 +7,6 @@ use crate::app::state::State;
 use crate::columns::{GivenInputs, ModelArgs, Observation, ROLL, TURN, WHEEL, degrees};
 use crate::flags::words::Shell;
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::scene::Track;
 
 /// Number of T in the copied command of a curve.
 const SAMPLES: u32 = 201;
@@ -31,12 +30,11 @@ impl State {
     /// Returns the selected point at T for `gamow curve` and `gamow eval`: the speed as it was given, and the
     /// rest.
     fn observation_for_command(&self) -> Result<(SpeedSetting, Observation), String> {
-        let velocity = self.selected_velocity();
-        if velocity.is_backward {
+        let point = self.document.points.selected();
+        if self.velocity(point).is_backward {
             return Err(BACKWARD.to_owned());
         }
-        let Track { motion, .. } = self.document.points.selected().track;
-        let speed = match motion {
+        let speed = match point.track.motion {
             Motion::Scene => self.document.settings.motion.speed,
             Motion::WithEyes => SpeedSetting::REST,
             Motion::Own(own) => speed_setting(own.speed).map_err(|error| error.to_string())?,

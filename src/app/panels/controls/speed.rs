@@ -49,11 +49,6 @@ impl SpeedControl<'_> {
         if self.is_own { "My speed" } else { "Speed" }
     }
 
-    /// Name of the slider to assistive technology.
-    fn slider_name(&self) -> &'static str {
-        if self.is_own { "My speed β" } else { "Speed β" }
-    }
-
     fn tip(&self) -> String {
         if self.is_own {
             return format!("{OWN_TIP}\n{DOUBLE_CLICK}");
@@ -85,7 +80,8 @@ fn slider(ui: &mut Ui, control: SpeedControl<'_>) -> Option<SpeedSetting> {
     let mut position = current.slider_position();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
-    let response = widgets::explained(ui.add(slider), control.tip()).accessible_name(control.slider_name());
+    let response =
+        widgets::explained(ui.add(slider), control.tip()).accessible_name(format!("{} β", control.title()));
     // The slider's own number is a place along it: to others it is the speed.
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_numeric_value(current.speed().beta());

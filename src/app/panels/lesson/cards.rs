@@ -61,13 +61,8 @@ pub fn each(ui: &mut Ui, room: Room, texts: &[Text], mut show: impl FnMut(&mut U
     }
 }
 
-/// Shows which letters answer a question with this number of choices.
-pub fn say_keys(ui: &mut Ui, count: usize) {
-    quiet(ui, &format!("Press {}.", keys_text(count)));
-}
-
 /// Letters of this number of choices, in words: "A, B or C".
-fn keys_text(count: usize) -> String {
+pub fn keys_text(count: usize) -> String {
     let letters: Vec<&str> = (0..count).map(letter_of).collect();
     match letters.as_slice() {
         [] => String::new(),

@@ -35,7 +35,7 @@ fn asked(ui: &mut Ui, state: &State, course: &Course, step: &Step, commands: &mu
     if let AnswerKind::Choice(options) = &prediction.kind
         && !course.counts_hands()
     {
-        cards::say_keys(ui, options.texts.len());
+        cards::quiet(ui, &format!("Press {}.", cards::keys_text(options.texts.len())));
     }
     form::confidence(ui, course, commands);
     if course.is_answered() {

@@ -32,7 +32,8 @@ pub fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: C
         let radius = if index == state.document.points.selected_index() { LARGEST_RING } else { 4.5 };
         let place = pane.place(marker.pixel);
         if coat == Coat::Halo {
-            Marker::paint_halo(painter, place, radius, layouts::halo_colour(state, visuals));
+            let halo = Stroke::new(4.0, layouts::halo_colour(state, visuals));
+            painter.circle_stroke(place, radius, halo);
             continue;
         }
         // Two clocks in one place could not be read.
@@ -83,12 +84,7 @@ fn below(place: Pos2) -> Rect {
 
 /// Whether a clock in `pane` does not stand where the other eye's does.
 fn can_be_read(state: &State, pane: EyePane) -> bool {
-    pane.takes_the_mouse() || is_in_turn(state)
-}
-
-/// Whether the eyes are shown one after the other.
-fn is_in_turn(state: &State) -> bool {
-    state.document.settings.picture.layout.form() == Form::InTurn
+    pane.takes_the_mouse() || state.document.settings.picture.layout.form() == Form::InTurn
 }
 
 /// The clock at `point`, which is marked at this `place`.
@@ -147,10 +143,6 @@ impl Marker {
         let first = first.and_then(|line_of_sight| scene.first_hit(view, line_of_sight));
         let hidden = first.is_some_and(|hit| hit.distance < direction.length() * (1.0 - HIDING_MARGIN));
         pixel.iter().all(|value| value.is_finite()).then_some(Self { pixel, hidden })
-    }
-
-    fn paint_halo(painter: &Painter, place: Pos2, radius: f32, colour: Color32) {
-        painter.circle_stroke(place, radius, Stroke::new(4.0, colour));
     }
 
     /// A ring, filled in the middle where the point is in sight and hollow where it is hidden.

@@ -1,7 +1,7 @@
 //! The two eyes before the document: sightings of the followed points, gaze, cameras, markers.
 
 use glam::DVec3;
-use relativity_core::{Disparity, Model, ObserverError, Parameter, Sighting, Source, Speed, Stereo};
+use relativity_core::{Disparity, ObserverError, Parameter, Sighting, Source, Speed, Stereo};
 use relativity_render::{Gaze, Geometry, Velocity, View};
 
 use crate::app::state::State;
@@ -58,12 +58,6 @@ impl State {
     #[must_use]
     pub fn velocity(&self, point: &Point) -> Velocity {
         self.document.settings.velocity(point.track.motion)
-    }
-
-    /// The velocity of the selected point.
-    #[must_use]
-    pub fn selected_velocity(&self) -> Velocity {
-        self.velocity(self.document.points.selected())
     }
 
     /// The worldline of the selected point from between the eyes, reflected to move along +x.
@@ -198,12 +192,6 @@ impl State {
             )),
         };
         FitKey { samples, setup }
-    }
-
-    /// The model by which samples are simulated.
-    #[must_use]
-    pub fn simulated_model(&self) -> Model {
-        self.document.settings.fit.data_from.model().unwrap_or_else(|| self.document.settings.model())
     }
 
     /// Returns the gaze of both eyes now, in parallel, in the axes of the head.

@@ -71,7 +71,8 @@ pub fn paint(
         }
         ruler.paint_named(speed_ticks(state.speed().beta()), &mut labels)
     } else {
-        ruler.paint_named(spectrum::named_factors(&state.speed()).map(factor_tick), &mut labels)
+        let tick = |(factor, u)| NamedTick { u, text: spectrum::factor_text(factor), is_own: false };
+        ruler.paint_named(spectrum::named_factors(&state.speed()).map(tick), &mut labels)
     };
     let name = format!(
         "Rapidity ruler, {}: ticks at {}; {}",
@@ -105,10 +106,6 @@ fn speed_ticks(own: f64) -> impl Iterator<Item = NamedTick> {
             NamedTick { u: side * math::atanh(beta), text, is_own: number == 0 && *side < 0.0 }
         })
     })
-}
-
-fn factor_tick((factor, u): (f64, f64)) -> NamedTick {
-    NamedTick { u, text: spectrum::factor_text(factor), is_own: false }
 }
 
 /// The painter of the ticks, and their places.

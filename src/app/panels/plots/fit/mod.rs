@@ -174,7 +174,8 @@ fn data_remark(state: &State, model: Model) -> &'static str {
     if state.session.data.is_some() {
         return "";
     }
-    match state.simulated_model() {
+    let settings = &state.document.settings;
+    match settings.fit.data_from.model().unwrap_or_else(|| settings.model()) {
         made if made == model => "The data were made by this model.",
         Model::OneCone => "The data are those of one light cone for both eyes, so its fit is biased.",
         Model::Published(_) => "The data are those of the published model, so its fit is biased.",
