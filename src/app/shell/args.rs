@@ -50,7 +50,7 @@ pub struct WindowArgs {
     pub json: bool,
     /// Inner size of the window.
     #[arg(long, value_parser = size, value_name = "WIDTHxHEIGHT")]
-    window_size: Option<[u32; 2]>,
+    pub window_size: Option<[u32; 2]>,
     /// Draw the window once, save it as a PNG file and exit. Needs no display. What was left in the window is
     /// neither used nor changed.
     #[arg(long, value_name = "FILE.png")]
@@ -132,12 +132,6 @@ impl WindowArgs {
     /// A folder that cannot be listed, or a lesson in it that cannot be read.
     pub fn library(&self) -> Result<Library, LessonError> {
         Library::new(self.lessons.as_deref())
-    }
-
-    /// Returns the inner size of the window, if it is given.
-    #[must_use]
-    pub const fn window_size(&self) -> Option<[u32; 2]> {
-        self.window_size
     }
 
     /// Inner size of the window, points.

@@ -3,7 +3,6 @@
 use eframe::egui::{Rect, Ui};
 
 use crate::app::panels;
-use crate::app::panels::plots::Plotted;
 use crate::app::panels::presented;
 use crate::app::shell::App;
 use crate::app::state::stage::SidePanel;
@@ -77,11 +76,6 @@ impl App {
         if !self.state.shows_sketch() {
             self.update_curves();
         }
-        let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
-        let plotted = Plotted { curves: &curves, fitting: &fitting, examination: None };
-        self.show_panel(ui, "plots", rect, |ui, state, commands| {
-            panels::plots::show_one(ui, state, plotted, commands);
-        });
-        (self.curves, self.fitting) = (curves, fitting);
+        self.show_plotted(ui, rect, panels::plots::show_one);
     }
 }

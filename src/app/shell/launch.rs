@@ -117,7 +117,7 @@ fn open(
         .with_icon(icon::icon())
         .with_inner_size(args.window_size_or_default().map(|side| side as f32))
         .with_min_inner_size([LEAST_SIDE; 2]);
-    let viewport = if args.window_size().is_none() {
+    let viewport = if args.window_size.is_none() {
         keeper.placed(viewport)
     } else {
         // A size that is asked for is no habit: it does not take the place of the remembered one.
@@ -139,8 +139,8 @@ fn open(
             Some(state) => state,
             None => first_state(&args, loaded)?,
         };
-        keeper.memory().restore_in(&cc.egui_ctx, args.window_size().is_none());
-        if args.window_size().is_none() {
+        keeper.memory().restore_in(&cc.egui_ctx, args.window_size.is_none());
+        if args.window_size.is_none() {
             let memory = keeper.memory();
             bring_back(cc, &memory);
             if !memory.has_place() {

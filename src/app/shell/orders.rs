@@ -79,11 +79,9 @@ impl App {
             return self.tell(ui.ctx(), Notice::error(format!("Nothing was saved: {problem}.")).about(&path));
         }
         let name = name_of(&path);
-        match product {
-            Product::Picture => {
-                let job = SaveJob::Picture(self.drawn(ui, size), path);
-                self.begin(ui.ctx(), job, name, 1);
-            }
+        let mut pictures = 1;
+        let job = match product {
+            Product::Picture => SaveJob::Picture(self.drawn(ui, size), path),
             Product::Film | Product::TenSeconds => {
                 let (range, frames) = self.state.film(product);
                 let Some(kind) = FilmKind::from_path(&path).filter(|_| frames <= MOST_FRAMES) else {
@@ -92,14 +90,10 @@ impl App {
                     );
                     return self.tell(ui.ctx(), Notice::error(text));
                 };
-                let times = loop_times(range, frames);
-                let job = SaveJob::Film(self.drawn(ui, size), times, kind, path);
-                self.begin(ui.ctx(), job, name, frames);
+                pictures = frames;
+                SaveJob::Film(self.drawn(ui, size), loop_times(range, frames), kind, path)
             }
-            Product::Fit => {
-                let job = SaveJob::Fit(Box::new(self.state.fit_key()), path);
-                self.begin(ui.ctx(), job, name, 1);
-            }
+            Product::Fit => SaveJob::Fit(Box::new(self.state.fit_key()), path),
             Product::Report => {
                 let Some(course) = self.state.course().cloned() else {
                     return self.tell(ui.ctx(), Notice::error("No lesson is open."));
@@ -108,35 +102,38 @@ impl App {
                 // The fit that stands in its tab.
                 let fit = self.fitting.shown().map(|_| Box::new(self.state.fit_key()));
                 let pupil = self.state.session.class.name.clone();
-                self.begin(ui.ctx(), SaveJob::Report(Box::new(course), base, fit, pupil, path), name, 1);
+                SaveJob::Report(Box::new(course), base, fit, pupil, path)
             }
             Product::Worksheet | Product::LabSheet | Product::TeachersPage => {
                 let lesson = self.state.course().map(|course| Box::new(course.lesson().clone()));
                 let Some((lesson, sheet)) = lesson.zip(product.sheet()) else {
                     return self.tell(ui.ctx(), Notice::error("No lesson is open."));
                 };
-                self.begin(ui.ctx(), SaveJob::Sheet(lesson, sheet, path), name, 1);
+                SaveJob::Sheet(lesson, sheet, path)
             }
             Product::ClassPage => {
                 let lessons =
                     self.state.answered_lessons().iter().map(|lesson| Lesson::clone(lesson)).collect();
-                let text = self.state.session.class.text.clone();
-                self.begin(ui.ctx(), SaveJob::Class(lessons, text, path), name, 1);
+                SaveJob::Class(lessons, self.state.session.class.text.clone(), path)
             }
             Product::Scene => match self.state.scene_file().filter(|model| is_model(model)) {
-                Some(model) => self.begin(ui.ctx(), SaveJob::Scene(model.to_owned(), path), name, 1),
-                None => self.tell(ui.ctx(), Notice::error("No model is open.")),
+                Some(model) => SaveJob::Scene(model.to_owned(), path),
+                None => return self.tell(ui.ctx(), Notice::error("No model is open.")),
             },
-            Product::PlotsSvg | Product::PlotsCsv => {
-                let is_drawing = product == Product::PlotsSvg;
-                let text = if is_drawing { self.plots_svg() } else { self.plots_csv() };
-                self.write_text(ui.ctx(), &path, &text);
+            Product::PlotsSvg => {
+                let text = self.plots_svg();
+                return self.write_text(ui.ctx(), &path, &text);
+            }
+            Product::PlotsCsv => {
+                let text = self.plots_csv();
+                return self.write_text(ui.ctx(), &path, &text);
             }
             Product::State => {
                 let told = self.state.shown().relative_to(&path);
-                self.write_text(ui.ctx(), &path, &told.to_toml());
+                return self.write_text(ui.ctx(), &path, &told.to_toml());
             }
-        }
+        };
+        self.begin(ui.ctx(), job, name, pictures);
     }
 
     fn write_text(&mut self, ctx: &Context, path: &std::path::Path, text: &str) {

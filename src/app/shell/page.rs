@@ -2,9 +2,10 @@
 
 use eframe::egui::{self, Rect, Ui};
 
-use crate::app::panels;
 use crate::app::panels::plots::Plotted;
+use crate::app::panels::{self, Commands};
 use crate::app::shell::{App, INSET};
+use crate::app::state::State;
 use crate::app::state::lesson::Running;
 use crate::app::state::stage::WindowPart;
 use crate::app::views::panes::PaneContent;
@@ -120,12 +121,20 @@ impl App {
         if plots_are_shown {
             self.update_curves();
         }
+        self.show_plotted(ui, rect, panels::plots::show);
+    }
+
+    /// Shows inside `rect` what `show` makes of the data of the plots.
+    pub(in crate::app) fn show_plotted(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        show: impl FnOnce(&mut Ui, &State, Plotted<'_>, &mut Commands),
+    ) {
         let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
         let examination = self.examination.take();
         let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
-        self.show_panel(ui, "plots", rect, |ui, state, commands| {
-            panels::plots::show(ui, state, plotted, commands);
-        });
+        self.show_panel(ui, "plots", rect, |ui, state, commands| show(ui, state, plotted, commands));
         (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
     }
 

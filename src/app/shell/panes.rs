@@ -8,9 +8,9 @@ use crate::app::panels;
 use crate::app::panels::views::Painted;
 use crate::app::shell::App;
 use crate::app::state::measuring::stopwatch::Stopwatch;
-use crate::app::views::corrected::Corrected;
+use crate::app::views::corrected::{Corrected, CorrectedKey};
 use crate::app::views::examination::{Examination, ExaminedViews};
-use crate::app::views::eyes::{EyePictures, ShownPicture};
+use crate::app::views::eyes::{EyePictures, Request, ShownPicture};
 use crate::app::views::flicker;
 use crate::app::views::panes::{EyePane, Pane, PaneContent, on_screen};
 use crate::app::views::slide::panorama;
@@ -135,11 +135,11 @@ impl App {
     }
 
     /// Returns the request for the picture in `pane`.
-    fn request(&self, ui: &Ui, pane: EyePane) -> crate::app::views::eyes::Request {
+    fn request(&self, ui: &Ui, pane: EyePane) -> Request {
         let state = &self.state;
         let view = state.view(pane.eye, pane.size);
         let (method, at_once) = self.drawn_by(view.geometry);
-        crate::app::views::eyes::Request {
+        Request {
             view,
             appearance: state.appearance(!ui.visuals().dark_mode),
             scene: state.document.prepared.clone(),
@@ -150,12 +150,7 @@ impl App {
     }
 
     /// Returns the error of the picture of `request` in `pane`, where it is shown.
-    fn heat_map(
-        &mut self,
-        ui: &Ui,
-        pane: EyePane,
-        request: &crate::app::views::eyes::Request,
-    ) -> Option<TextureId> {
+    fn heat_map(&mut self, ui: &Ui, pane: EyePane, request: &Request) -> Option<TextureId> {
         let is_examined = self.state.document.settings.plots.heat_map && !pane.is_second;
         let examination = self.examination.as_mut().filter(|_| is_examined)?;
         let method = self.state.method(&request.view).of_view(&request.view);
@@ -171,11 +166,7 @@ impl App {
     }
 
     /// Returns the up-to-date picture in `pane`, and the request for it.
-    fn drawn_picture(
-        &mut self,
-        ui: &Ui,
-        pane: EyePane,
-    ) -> (Option<ShownPicture>, crate::app::views::eyes::Request) {
+    fn drawn_picture(&mut self, ui: &Ui, pane: EyePane) -> (Option<ShownPicture>, Request) {
         let request = self.request(ui, pane);
         let picture = self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.index(), &request));
         self.note_waiting();
@@ -231,7 +222,7 @@ impl App {
         let fit = self.fitting.shown().filter(|_| window.plots && plots.plot == PlotTab::Fit);
         let correction = self.state.correction(fit);
         let size = (pane.rect.size() * ui.pixels_per_point()).round();
-        let job = crate::app::views::corrected::CorrectedKey {
+        let job = CorrectedKey {
             view: self.state.view_to_correct([size.x, size.y].map(|side| side.max(1.0) as u32)),
             speed: correction.speed,
             appearance: self.state.appearance(!ui.visuals().dark_mode),
