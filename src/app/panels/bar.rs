@@ -7,15 +7,15 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 use gamow_platform::files;
 
-use super::{Commands, OnClick as _, on_change};
+use super::{Commands, OnClick as _, on_change, stereoscope_button};
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, FileCommand, SettingsCommand, ShowCommand, Switch, WindowCommand};
 use crate::app::state::State;
 use crate::app::state::files::purpose::Purpose;
 use crate::app::state::files::recent::file_name;
 use crate::app::state::overlay::Overlay;
+use crate::app::widgets::explained_lazily;
 use crate::app::widgets::icons::{self, Icon};
-use crate::app::widgets::{STEREOSCOPE_TIP, explained_lazily};
 use crate::caption::whole_sentences;
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Theme, WindowSettings, about, meaning};
@@ -164,9 +164,7 @@ fn files(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let shown = state.shown_files();
     for path in state.session.recent.all() {
         let choice = ui.selectable_label(shown.contains(path), file_name(path));
-        if choice.on_hover_text(files::shown(path)).clicked() {
-            commands.push(FileCommand::Open(path.clone()).into());
-        }
+        choice.on_hover_text(files::shown(path)).on_click(commands, FileCommand::Open(path.clone()));
     }
     let tip = "Opens a scene, a model, a state, data, or a picture with the state that it records.";
     let tip = with_keys(tip, &[Command::File(FileCommand::Choose(Purpose::Open))]);
@@ -190,9 +188,9 @@ fn units_to_choose(ui: &mut Ui, state: &State, commands: &mut Commands) {
     for (choice, name) in UNITS {
         let is_there = has_metres || choice == Units::Natural;
         let response = ui.add_enabled(is_there, Button::selectable(shown == choice, name));
-        if explained_lazily(response, || meaning(&choice)).on_disabled_hover_text(NO_METRES).clicked() {
-            commands.push(SettingsCommand::Window(WindowSettings { units: choice, ..window }).into());
-        }
+        explained_lazily(response, || meaning(&choice))
+            .on_disabled_hover_text(NO_METRES)
+            .on_click(commands, SettingsCommand::Window(WindowSettings { units: choice, ..window }));
     }
     if !has_metres {
         ui.label(RichText::new(NO_METRES).weak().small());
@@ -240,20 +238,13 @@ fn more_on_a_phone(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| {
         ui.horizontal(|ui| way_back(ui, state, commands));
         help(ui, commands);
-        stereoscope(ui, commands);
+        stereoscope_button(ui, commands);
         if !state.document.settings.window.simple {
             ui.separator();
             looks(ui, state, true, commands);
         }
     });
     menu.0.on_hover_text("Undo, help, stereoscope, units, theme");
-}
-
-/// The way into the stereoscope.
-fn stereoscope(ui: &mut Ui, commands: &mut Commands) {
-    ui.button("Stereoscope")
-        .on_hover_text(STEREOSCOPE_TIP)
-        .on_click(commands, WindowCommand::ToggleStereoscope);
 }
 
 fn looks(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) {
@@ -272,15 +263,11 @@ fn looks(ui: &mut Ui, state: &State, with_parts: bool, commands: &mut Commands) 
 
 fn theme(ui: &mut Ui, state: &State, commands: &mut Commands) {
     let dark = ui.visuals().dark_mode;
-    let (icon, other) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
-    if icons::button(ui, icon, "Theme", vec2(30.0, 22.0))
+    let (icon, theme) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
+    let window = WindowSettings { theme, ..state.document.settings.window };
+    icons::button(ui, icon, "Theme", vec2(30.0, 22.0))
         .on_hover_text("Switches between a light and a dark window")
-        .clicked()
-    {
-        commands.push(
-            SettingsCommand::Window(WindowSettings { theme: other, ..state.document.settings.window }).into(),
-        );
-    }
+        .on_click(commands, SettingsCommand::Window(window));
 }
 
 /// Shows the switches of the parts of the window.
@@ -289,13 +276,9 @@ fn parts(ui: &mut Ui, state: &State, commands: &mut Commands) {
     ui.toggle_value(&mut window.controls, "Controls").on_hover_text(about("controls"));
     ui.toggle_value(&mut window.plots, "Plots").on_hover_text(about("plots"));
     let mut shows_map = state.frame.shows_map;
-    if ui
-        .toggle_value(&mut shows_map, "Map")
-        .on_hover_text(with_keys(about("map"), &[Command::Settings(SettingsCommand::Switch(Switch::Map))]))
-        .changed()
-    {
-        commands.push(SettingsCommand::Switch(Switch::Map).into());
-    }
+    let map_tip = with_keys(about("map"), &[Command::Settings(SettingsCommand::Switch(Switch::Map))]);
+    ui.toggle_value(&mut shows_map, "Map").on_hover_text(map_tip);
+    on_change(commands, &state.frame.shows_map, shows_map, |_| SettingsCommand::Switch(Switch::Map));
     ui.toggle_value(&mut window.views, "Views").on_hover_text(about("views"));
     on_change(commands, &state.document.settings.window, window, SettingsCommand::Window);
 }

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use eframe::egui::text::{CCursor, CCursorRange};
-use eframe::egui::{Align2, Context, Key, RichText, TextEdit, Ui, Window};
+use eframe::egui::{Context, Key, RichText, TextEdit, Ui};
 
-use super::{Commands, OnClick as _};
+use super::{Commands, OnClick as _, middle_window};
 use crate::app::commands::WindowCommand;
 use crate::app::commands::file_dialog::Chooser;
 use crate::app::state::State;
@@ -25,26 +25,22 @@ const SIZE_WIDTH: f32 = 90.0;
 pub fn show(ctx: &Context, state: &State, chooser: &mut Chooser, commands: &mut Commands) {
     let Some(purpose) = chooser.purpose else { return };
     let width = PATH_WIDTH.min(ctx.content_rect().width() - MARGIN);
-    Window::new(purpose.title())
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
-        .collapsible(false)
-        .resizable(false)
-        .show(ctx, |ui| {
-            ui.set_width(width);
-            let is_entered = path(ui, chooser);
-            if let Purpose::Save(product) = purpose {
-                product_settings(ui, state, product, chooser);
-            }
-            if let Some(remark) = &chooser.remark {
-                ui.colored_label(ui.visuals().error_fg_color, remark);
-            }
-            ui.add_space(4.0);
-            if chooser.replaced.is_some() {
-                replace(ui, chooser, commands);
-            } else {
-                buttons(ui, purpose, chooser, is_entered, commands);
-            }
-        });
+    middle_window(purpose.title()).show(ctx, |ui| {
+        ui.set_width(width);
+        let is_entered = path(ui, chooser);
+        if let Purpose::Save(product) = purpose {
+            product_settings(ui, state, product, chooser);
+        }
+        if let Some(remark) = &chooser.remark {
+            ui.colored_label(ui.visuals().error_fg_color, remark);
+        }
+        ui.add_space(4.0);
+        if chooser.replaced.is_some() {
+            replace(ui, chooser, commands);
+        } else {
+            buttons(ui, purpose, chooser, is_entered, commands);
+        }
+    });
 }
 
 /// The path that is typed; whether Enter was pressed in it.

@@ -3,10 +3,10 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Align2, Button, Context, RichText, ScrollArea, TextEdit, TextStyle, Ui, Window};
+use eframe::egui::{Button, Context, RichText, ScrollArea, TextEdit, TextStyle, Ui};
 
-use super::{Commands, OnClick as _};
-use crate::app::commands::{FileCommand, WindowCommand};
+use super::{Commands, OnClick as _, show_overlay};
+use crate::app::commands::FileCommand;
 use crate::app::state::State;
 use crate::app::state::class::ClassCommand;
 use crate::app::state::files::purpose::{Product, Purpose};
@@ -37,44 +37,26 @@ const MOST_NAMED: usize = 3;
 pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
     match state.session.overlay {
         Some(Overlay::Answers) => {
-            in_window(ctx, "My answers", Overlay::Answers, commands, |ui, commands| {
-                own(ui, state, commands);
+            show_overlay(ctx, "My answers", Overlay::Answers, commands, |ui, commands| {
+                scrolled(ui, |ui| own(ui, state, commands));
             });
         }
         Some(Overlay::Class) => {
-            in_window(ctx, "Answers of a class", Overlay::Class, commands, |ui, commands| {
-                class(ui, state, commands);
+            show_overlay(ctx, "Answers of a class", Overlay::Class, commands, |ui, commands| {
+                scrolled(ui, |ui| class(ui, state, commands));
             });
         }
         _ => {}
     }
 }
 
-fn in_window(
-    ctx: &Context,
-    title: &str,
-    overlay: Overlay,
-    commands: &mut Commands,
-    contents: impl FnOnce(&mut Ui, &mut Commands),
-) {
-    let mut is_open = true;
-    let room = ctx.content_rect().size();
-    let width = WIDTH.min(room.x - AROUND).max(1.0);
-    Window::new(title)
-        .open(&mut is_open)
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
-        .collapsible(false)
-        .resizable(false)
-        .show(ctx, |ui| {
-            ui.set_width(width);
-            let height = (room.y - 2.0 * AROUND).max(1.0);
-            // It scrolls where the room ends, and not where the window did before its contents grew.
-            let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
-            area.show(ui, |ui| contents(ui, commands));
-        });
-    if !is_open {
-        commands.push(WindowCommand::Toggle(overlay).into());
-    }
+/// Shows `contents` as wide and as high as there is room for.
+fn scrolled(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
+    let room = ui.ctx().content_rect().size();
+    ui.set_width(WIDTH.min(room.x - AROUND).max(1.0));
+    let height = (room.y - 2.0 * AROUND).max(1.0);
+    // It scrolls where the room ends, and not where the window did before its contents grew.
+    ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, contents);
 }
 
 /// The answers in the open lesson, to be handed in.

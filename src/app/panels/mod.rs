@@ -27,9 +27,11 @@ pub mod stopwatch;
 pub mod timeline;
 pub mod views;
 
-use eframe::egui::Response;
+use eframe::egui::{Align2, Context, Response, Ui, Window};
 
-use super::commands::Command;
+use super::commands::{Command, WindowCommand};
+use super::state::overlay::Overlay;
+use super::widgets::STEREOSCOPE_TIP;
 
 /// The commands that a panel asks for while it is shown.
 pub type Commands = Vec<Command>;
@@ -58,6 +60,33 @@ pub fn on_change<T: PartialEq, C: Into<Command>>(
     if now != *before {
         commands.push(command(now).into());
     }
+}
+
+/// Shows a window in the middle for `overlay`, which the user may close.
+fn show_overlay(
+    ctx: &Context,
+    title: &str,
+    overlay: Overlay,
+    commands: &mut Commands,
+    contents: impl FnOnce(&mut Ui, &mut Commands),
+) {
+    let mut is_open = true;
+    middle_window(title).open(&mut is_open).show(ctx, |ui| contents(ui, commands));
+    if !is_open {
+        commands.push(WindowCommand::Toggle(overlay).into());
+    }
+}
+
+/// A window in the middle that keeps its place and its size.
+fn middle_window(title: &str) -> Window<'_> {
+    Window::new(title).anchor(Align2::CENTER_CENTER, [0.0, 0.0]).collapsible(false).resizable(false)
+}
+
+/// The button that makes the window a stereoscope.
+fn stereoscope_button(ui: &mut Ui, commands: &mut Commands) {
+    ui.button("Stereoscope")
+        .on_hover_text(STEREOSCOPE_TIP)
+        .on_click(commands, WindowCommand::ToggleStereoscope);
 }
 
 /// Written between two notes on a picture.

@@ -6,7 +6,7 @@ use relativity_core::{
 };
 use relativity_render::{Light, Velocity, colour};
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::SettingsCommand;
 use crate::app::state::State;
 use crate::app::state::points::Point;
@@ -67,10 +67,8 @@ fn words(ui: &mut Ui, state: &State, commands: &mut Commands) {
         name(ui, state);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let button = ui.add(egui::Button::new("Numbers").selected(window.readout));
-            if button.on_hover_text(NUMBERS_TIP).clicked() {
-                let readout = !window.readout;
-                commands.push(SettingsCommand::Window(WindowSettings { readout, ..window }).into());
-            }
+            let other = WindowSettings { readout: !window.readout, ..window };
+            button.on_hover_text(NUMBERS_TIP).on_click(commands, SettingsCommand::Window(other));
         });
     });
     let moment = state.moment();
@@ -250,10 +248,11 @@ fn fold(ui: &mut Ui, state: &State, commands: &mut Commands) {
         }
     };
     let title = egui::Button::new(RichText::new(format!("{sign} {name}")).strong()).frame(false);
-    if ui.add(title).on_hover_text(tip).accessible_name("Readout").clicked() {
-        window.readout = !window.readout;
-        commands.push(SettingsCommand::Window(window).into());
-    }
+    window.readout = !window.readout;
+    ui.add(title)
+        .on_hover_text(tip)
+        .accessible_name("Readout")
+        .on_click(commands, SettingsCommand::Window(window));
 }
 
 const PUBLISHED_TIP: &str = "What the views show of the selected point now. The left eye receives it \

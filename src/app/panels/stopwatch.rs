@@ -6,7 +6,7 @@ use eframe::egui::{
     Visuals, WidgetInfo, pos2, vec2,
 };
 
-use super::Commands;
+use super::{Commands, OnClick as _};
 use crate::app::commands::Command;
 use crate::app::commands::actions::with_keys;
 use crate::app::state::State;
@@ -67,9 +67,7 @@ fn contents(ui: &mut Ui, state: &State, commands: &mut Commands) {
             let shown = if command == StopwatchCommand::Toggle { "×" } else { name };
             let response = ui.add(Button::new(RichText::new(shown).small())).on_hover_text(&tip);
             response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
-            if response.clicked() {
-                commands.push(Command::Stopwatch(command));
-            }
+            response.on_click(commands, command);
         }
     });
     for text in lines(state) {

@@ -4,7 +4,7 @@ use eframe::egui::{Button, Ui};
 
 use crate::app::commands::actions::keys_of;
 use crate::app::commands::{Command, FileCommand, WindowCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::files::purpose::{Product, Purpose};
 use crate::app::state::orders::Copied;
@@ -110,9 +110,7 @@ fn entry(ui: &mut Ui, state: &State, (name, command, tip): &MenuEntry, commands:
     let obstacle = obstacle(state, command);
     let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(*tip);
     let response = response.on_disabled_hover_text(obstacle.unwrap_or_default());
-    if response.accessible_name(*name).clicked() {
-        commands.push(command.clone());
-    }
+    response.accessible_name(*name).on_click(commands, command.clone());
 }
 
 /// Why something cannot be saved as things are.

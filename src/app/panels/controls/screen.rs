@@ -4,7 +4,7 @@ use eframe::egui::{Button, Ui};
 
 use crate::app::commands::actions::with_keys;
 use crate::app::commands::{Command, SettingsCommand, WindowCommand};
-use crate::app::panels::{Commands, OnClick as _, on_change};
+use crate::app::panels::{Commands, OnClick as _, on_change, stereoscope_button};
 use crate::app::state::State;
 use crate::app::widgets::theme;
 use crate::app::widgets::{STEREOSCOPE_TIP, dot, named_text, number, row};
@@ -57,10 +57,10 @@ fn narrow(ui: &mut Ui, state: &State, commands: &mut Commands) {
         let is_pair = !state.document.settings.is_comparing();
         let button = ui.add_enabled(is_pair, Button::new("Comfortable"));
         button.on_hover_text(tip).on_disabled_hover_text(NO_PAIR).on_click(commands, SettingsCommand::Narrow);
-        if let Some([wide, _]) = narrowed
-            && ui.button("As before").on_hover_text("Restores the eye separation.").clicked()
-        {
-            commands.push(SettingsCommand::Motion(MotionSettings { d: wide, ..motion }).into());
+        if let Some([wide, _]) = narrowed {
+            ui.button("As before")
+                .on_hover_text("Restores the eye separation.")
+                .on_click(commands, SettingsCommand::Motion(MotionSettings { d: wide, ..motion }));
         }
     });
     if let Some([wide, d]) = narrowed {
@@ -95,15 +95,10 @@ fn place(ui: &mut Ui, state: &State, commands: &mut Commands) {
         ui.button("Present").on_hover_text(tip).on_click(commands, WindowCommand::TogglePresenting);
         let mut is_open = state.session.stage.projector;
         let tip = with_keys(PROJECTOR_TIP, &[Command::Window(WindowCommand::ToggleProjector)]);
-        if ui.checkbox(&mut is_open, "second window").on_hover_text(tip).changed() {
-            commands.push(WindowCommand::ToggleProjector.into());
-        }
+        ui.checkbox(&mut is_open, "second window").on_hover_text(tip);
+        on_change(commands, &state.session.stage.projector, is_open, |_| WindowCommand::ToggleProjector);
     });
-    row(ui, "Lenses", STEREOSCOPE_TIP, |ui| {
-        ui.button("Stereoscope")
-            .on_hover_text(STEREOSCOPE_TIP)
-            .on_click(commands, WindowCommand::ToggleStereoscope);
-    });
+    row(ui, "Lenses", STEREOSCOPE_TIP, |ui| stereoscope_button(ui, commands));
     on_change(commands, &state.document.settings.screen, screen, SettingsCommand::Screen);
 }
 

@@ -5,11 +5,9 @@ mod words;
 
 use std::sync::OnceLock;
 
-use eframe::egui::{
-    Align2, Context, Grid, Id, Label, RichText, ScrollArea, TextStyle, TextWrapMode, Ui, Window, vec2,
-};
+use eframe::egui::{Context, Grid, Id, Label, RichText, ScrollArea, TextStyle, TextWrapMode, Ui, vec2};
 
-use super::Commands;
+use super::{Commands, show_overlay};
 use crate::app::commands::actions::{ACTIONS, keys_of};
 use crate::app::commands::{Command, WindowCommand};
 use crate::app::state::State;
@@ -76,34 +74,24 @@ pub fn show(ctx: &Context, state: &State, commands: &mut Commands) {
     }
     let id = Id::unique("help");
     let mut shown = ctx.data(|data| data.get_temp(id)).unwrap_or(HelpSection::What);
-    let mut open = true;
     let room = ctx.content_rect().size() - AROUND.into();
     let size = vec2(SIZE[0].min(room.x), SIZE[1].min(room.y)).max(vec2(1.0, 1.0));
-    Window::new("Help")
-        .open(&mut open)
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
-        .collapsible(false)
-        .resizable(false)
-        .show(ctx, |ui| {
-            ui.set_width(size.x);
-            ui.horizontal_wrapped(|ui| {
-                for (section, name) in SECTIONS {
-                    ui.selectable_value(&mut shown, section, name);
-                }
-            });
-            ui.separator();
-            let area =
-                ScrollArea::both().id_salt(shown as usize).max_height(size.y).auto_shrink([false, false]);
-            if shown == HelpSection::Licences {
-                licences(ui, area);
-            } else {
-                area.scroll([false, true]).show(ui, |ui| section(ui, shown));
+    show_overlay(ctx, "Help", Overlay::Help, commands, |ui, _| {
+        ui.set_width(size.x);
+        ui.horizontal_wrapped(|ui| {
+            for (section, name) in SECTIONS {
+                ui.selectable_value(&mut shown, section, name);
             }
         });
+        ui.separator();
+        let area = ScrollArea::both().id_salt(shown as usize).max_height(size.y).auto_shrink([false, false]);
+        if shown == HelpSection::Licences {
+            licences(ui, area);
+        } else {
+            area.scroll([false, true]).show(ui, |ui| section(ui, shown));
+        }
+    });
     ctx.data_mut(|data| data.insert_temp(id, shown));
-    if !open {
-        commands.push(WindowCommand::Toggle(Overlay::Help).into());
-    }
 }
 
 fn section(ui: &mut Ui, section: HelpSection) {

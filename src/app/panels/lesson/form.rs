@@ -4,7 +4,7 @@
 use eframe::egui::{Align, Event, Id, Key, Layout, RichText, TextEdit, TextStyle, Ui, vec2};
 
 use super::cards::{self, Room};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::lesson::LessonCommand;
 use crate::app::views::predicted_place;
@@ -39,9 +39,8 @@ fn draft(commands: &mut Commands, answer: Option<Answer>) {
 fn choices(ui: &mut Ui, room: Room, course: &Course, options: &Options, commands: &mut Commands) {
     cards::each(ui, room, &options.texts, |ui, number, text| {
         let is_chosen = course.draft == Some(Answer::Choice(number));
-        if cards::choice(ui, text, number, is_chosen).clicked() {
-            draft(commands, Some(Answer::Choice(number)));
-        }
+        cards::choice(ui, text, number, is_chosen)
+            .on_click(commands, LessonCommand::Draft(Some(Answer::Choice(number))));
     });
 }
 
@@ -183,9 +182,9 @@ pub fn confidence(ui: &mut Ui, course: &Course, commands: &mut Commands) {
             let is_chosen = course.confidence == Some(level);
             let name = level.name();
             let button = ui.selectable_label(is_chosen, format!(" {name} "));
-            if button.accessible_name(format!("How sure: {name}")).clicked() {
-                commands.push(LessonCommand::Confidence(Some(level).filter(|_| !is_chosen)).into());
-            }
+            button
+                .accessible_name(format!("How sure: {name}"))
+                .on_click(commands, LessonCommand::Confidence(Some(level).filter(|_| !is_chosen)));
         }
     });
 }

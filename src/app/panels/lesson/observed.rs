@@ -28,10 +28,10 @@ pub fn show(ui: &mut Ui, room: Room, course: &Course, asked: &Choices, commands:
         Some(_) => {
             ui.label("Something else happened. It is easily missed: look again.");
             // Before an audience the key that goes back does it.
-            if room == Room::Panel
-                && ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked()
-            {
-                commands.push(LessonCommand::SetUp.into());
+            if room == Room::Panel {
+                ui.button("Look again")
+                    .on_hover_text("Shows it again from the beginning")
+                    .on_click(commands, LessonCommand::SetUp);
             }
         }
         None => {}

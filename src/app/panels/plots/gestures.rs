@@ -9,7 +9,7 @@ use relativity_core::math;
 use super::axes::time_at_pointer;
 use super::chart::TimePlot;
 use crate::app::commands::{Command, PlaybackCommand};
-use crate::app::panels::Commands;
+use crate::app::panels::{Commands, OnClick as _};
 use crate::app::state::State;
 use crate::app::state::plots::look::{PlotCommand, Ranges};
 
@@ -47,9 +47,7 @@ pub(super) fn read(
         }
     } else if let Some(time) = time_at_pointer(response) {
         if modifiers.shift {
-            if mouse.clicked() {
-                commands.push(PlotCommand::Cursor(Some(time)).into());
-            }
+            mouse.on_click(commands, PlotCommand::Cursor(Some(time)));
         } else if !modifiers.command {
             commands.push(PlaybackCommand::GoTo(time).into());
         }

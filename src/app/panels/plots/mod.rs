@@ -30,7 +30,7 @@ pub use self::export::{csv, svg};
 pub use self::plotted::Plotted;
 use self::traces::chart;
 use crate::app::commands::SettingsCommand;
-use crate::app::panels::{Commands, on_change};
+use crate::app::panels::{Commands, OnClick as _, on_change};
 use crate::app::state::State;
 use crate::app::state::plots::curves::QuantityCurves;
 use crate::app::state::plots::look::quantities;
@@ -96,10 +96,10 @@ pub fn show_one(ui: &mut Ui, state: &State, plotted: Plotted<'_>, commands: &mut
 /// Shows at the right of the title strip `strip` the button that fits a speed to the plotted curve.
 fn offer_fit(ui: &mut Ui, state: &State, strip: Rect, commands: &mut Commands) {
     let tip = "Takes noisy readings of this curve, and finds speed and distance from them.";
-    if strip_button(ui, strip, Align::Max, "Fit a speed").on_hover_text(tip).clicked() {
-        let plots = PlotSettings { plot: PlotTab::Fit, ..state.document.settings.plots };
-        commands.push(SettingsCommand::Plots(plots).into());
-    }
+    let plots = PlotSettings { plot: PlotTab::Fit, ..state.document.settings.plots };
+    strip_button(ui, strip, Align::Max, "Fit a speed")
+        .on_hover_text(tip)
+        .on_click(commands, SettingsCommand::Plots(plots));
 }
 
 /// Plots over T side by side, each below what it is called and what it is now. At the right end of the titles

@@ -14,6 +14,7 @@ use eframe::egui::{
 use super::Commands;
 use super::picture::{self, ASPECT, RADIUS};
 use crate::app::commands::Command;
+use crate::app::panels::OnClick as _;
 use crate::app::views::thumbnails::Thumbnails;
 use crate::app::widgets::theme;
 use crate::lesson::Lesson;
@@ -88,9 +89,7 @@ impl Cards {
             for (number, (card, written)) in row.iter().zip(written).enumerate() {
                 let left = room.min.x + number as f32 * (card_width + between);
                 let rect = Rect::from_min_size(pos2(left, room.min.y), vec2(card_width, height));
-                if card.show(ui, rect, written, thumbnails).clicked() {
-                    commands.push(card.command.clone());
-                }
+                card.show(ui, rect, written, thumbnails).on_click(commands, card.command.clone());
             }
             ui.add_space(between - ui.spacing().item_spacing.y);
         }
