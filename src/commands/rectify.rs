@@ -216,7 +216,7 @@ impl RectifyArgs {
     /// The command that corrects the picture again, with the camera that took the corrected one.
     fn parameters(&self, rectification: &Rectification) -> anyhow::Result<String> {
         let (parameter, value) = self.speed()?;
-        let Camera { gaze, horizontal_fov, .. } = &rectification.rest;
+        let Camera { gaze, horizontal_fov, .. } = rectification.rest();
         Ok(format!(
             "gamow rectify --{}={value}{}{} --out-fov={} --out-gaze={},{}",
             parameter.name(),
@@ -240,7 +240,7 @@ struct PixelSource {
 
 /// The source of every pixel, row by row. Measurements are not interpolated: between two bodies lies none.
 fn sources(rectification: &Rectification) -> Vec<Option<PixelSource>> {
-    let [width, height] = rectification.rest.size;
+    let [width, height] = rectification.rest().size;
     let source = |column: u32, row: u32| {
         let place = [f64::from(column) + 0.5, f64::from(row) + 0.5];
         let [u, v] = rectification.ground_place(place)?.map(f64::floor);

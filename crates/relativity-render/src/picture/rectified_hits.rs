@@ -38,7 +38,7 @@ impl Rectification {
         appearance: &Appearance,
         blank: Blank,
     ) -> Picture {
-        let [width, height] = self.rest.size;
+        let [width, height] = self.rest().size;
         let hatch = Hatch::new([width, height], appearance.light);
         let colour = |place: [f64; 2]| {
             let Some(source) = self.ground_place(place) else { return blank.outside };

@@ -54,8 +54,7 @@ const HUE_TOLERANCE: f64 = 0.1;
 #[derive(Debug, Clone)]
 pub struct Rectification {
     ground: Camera,
-    /// Moving camera.
-    pub rest: Camera,
+    rest: Camera,
     velocity: Velocity,
     lines_of_sight: LinesOfSight,
 }
@@ -99,6 +98,12 @@ impl Rectification {
         let rest = Camera { gaze, projection: Projection::Mercator { right, shift: 0.0 }, ..*ground };
         let half_width = half_width * rest.through_middle().length();
         Camera { horizontal_fov: 2.0 * atan(sinh(half_width)), ..rest }
+    }
+
+    /// Returns the moving camera.
+    #[must_use]
+    pub const fn rest(&self) -> &Camera {
+        &self.rest
     }
 
     /// Returns the place in the picture from the ground that shows the same as `place` in the corrected one

@@ -1,5 +1,5 @@
-//! Charts of round shapes, and how dark a pattern is there: the same way as `shaders/pattern.wgsl`. All in the
-//! body's own axes.
+//! Charts of round shapes, and how dark a pattern is there: the same way as `shaders/pattern.wgsl`. All in
+//! the body's own axes.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
