@@ -1,5 +1,7 @@
 //! Settings survive every file they are in, to the last digit; and an invalid one gives an error of one line.
 
+use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -7,18 +9,16 @@ use std::path::Path;
 use clap::ValueEnum as _;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
-use relativity_core::{Curves, Leg, Model};
-use relativity_render::{
-    Appearance, Colour, Gaze, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading, StreetColours,
-};
+use relativity_core::Leg;
+use relativity_render::{Appearance, Gaze, HitImage, Picture as Pixels, PreparedScene};
 
 use super::*;
 use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{
-    AZIMUTH, Compare, ELEVATION, GazeChoice, Layout, PARALLAX_DISTANCE, ProjectionChoice, RendererChoice,
-    Size, Swapped, ZeroParallax,
+    AZIMUTH, Compare, ELEVATION, GazeChoice, Layout, PARALLAX_DISTANCE, ProjectionChoice, Size, Swapped,
+    ZeroParallax,
 };
 use crate::flags::words::Shell;
 use crate::flags::{
@@ -26,7 +26,6 @@ use crate::flags::{
     FollowedPoint, Goal, HEAD_DEGREES, IntensityExponent, MAX_TIME, PLACE, RideLegs, SCREEN_CM, ScreenWidth,
     Share, SpeedParameter, SpeedSetting, StreetVelocity, TEMPERATURE_K, TimeRange,
 };
-use crate::units::Units;
 
 /// Any number within `range`, of any magnitude.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -38,10 +37,6 @@ fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
 
 fn any_number() -> impl Strategy<Value = f64> {
     any::<f64>()
-}
-
-fn choice<T: clap::ValueEnum + std::fmt::Debug + Clone + 'static>() -> impl Strategy<Value = T> {
-    proptest::sample::select(T::value_variants())
 }
 
 fn motion() -> impl Strategy<Value = MotionSettings> {
@@ -97,49 +92,20 @@ fn look() -> impl Strategy<Value = LookSettings> {
     let fov = proptest::option::of(number(FIELD_OF_VIEW)).prop_map(FieldOfView);
     let distance = number(PARALLAX_DISTANCE).prop_map(ZeroParallax::Distance);
     let zero_parallax = prop_oneof![Just(ZeroParallax::Point), Just(ZeroParallax::Infinity), distance];
-    let shown = (choice::<Geometry>(), choice::<Compare>());
-    (shown, gaze, fov, choice::<ProjectionChoice>(), zero_parallax).prop_map(
-        |((geometry, compare), gaze, fov, projection, zero_parallax)| LookSettings {
-            geometry,
-            compare,
-            gaze,
-            fov,
-            projection,
-            zero_parallax,
-        },
-    )
+    (gaze, fov, zero_parallax).prop_map(|(gaze, fov, zero_parallax)| LookSettings {
+        gaze,
+        fov,
+        zero_parallax,
+        ..LookSettings::default()
+    })
 }
 
 fn light() -> impl Strategy<Value = LightSettings> {
     let exponent = prop_oneof![Just(None), number(EXPONENT).prop_map(Some)].prop_map(IntensityExponent);
     let exposure = proptest::option::of(number(EXPOSURE_EV)).prop_map(Exposure);
-    let numbers = (number(TEMPERATURE_K), exponent, exposure);
-    let switches = any::<[bool; 5]>();
-    let colours = (choice::<Colour>(), choice::<StreetColours>());
-    (colours, numbers, choice::<Shading>(), choice::<Daylight>(), switches).prop_map(
-        |(
-            (colour, street_colours),
-            (temperature, intensity_exponent, exposure),
-            shading,
-            light,
-            [doppler_shift, invisible, surroundings, ground, sky],
-        )| {
-            LightSettings {
-                colour,
-                temperature,
-                doppler_shift,
-                intensity_exponent,
-                exposure,
-                invisible,
-                shading,
-                surroundings,
-                ground,
-                sky,
-                street_colours,
-                light,
-            }
-        },
-    )
+    (number(TEMPERATURE_K), exponent, exposure).prop_map(|(temperature, intensity_exponent, exposure)| {
+        LightSettings { temperature, intensity_exponent, exposure, ..LightSettings::default() }
+    })
 }
 
 fn range() -> impl Strategy<Value = TimeRange> {
@@ -149,66 +115,25 @@ fn range() -> impl Strategy<Value = TimeRange> {
 }
 
 fn fit() -> impl Strategy<Value = FitSettings> {
-    let noise = number(NOISE_PERCENT);
-    let from = choice::<DataFrom>();
-    (FIT_SAMPLES, from, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<Model>(), any::<bool>())
-        .prop_map(|(fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0)| {
-            FitSettings { fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0 }
-        })
+    (FIT_SAMPLES, range(), number(NOISE_PERCENT), 0..=MAX_SEED).prop_map(
+        |(fit_samples, fit_range, noise_percent, seed)| FitSettings {
+            fit_samples,
+            fit_range,
+            noise_percent,
+            seed,
+            ..FitSettings::default()
+        },
+    )
 }
 
 fn window() -> impl Strategy<Value = WindowSettings> {
     let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
-    let shares = (share(), share(), share());
-    (any::<[bool; 15]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
-        |(
-            [
-                views,
-                corrected,
-                spectrum,
-                sentence,
-                plots,
-                controls,
-                simple,
-                readout,
-                dials,
-                resting_clock,
-                distances,
-                ruler,
-                resting,
-                vignette,
-                animations,
-            ],
-            (side_share, strip_share, map_share),
-            map,
-            units,
-            theme,
-        )| {
-            WindowSettings {
-                views,
-                corrected,
-                spectrum,
-                sentence,
-                map,
-                plots,
-                controls,
-                simple,
-                readout,
-                side_share,
-                strip_share,
-                map_share,
-                dials,
-                resting_clock,
-                distances,
-                ruler,
-                resting,
-                vignette,
-                animations,
-                units,
-                theme,
-            }
-        },
-    )
+    (share(), share(), share()).prop_map(|(side_share, strip_share, map_share)| WindowSettings {
+        side_share,
+        strip_share,
+        map_share,
+        ..WindowSettings::default()
+    })
 }
 
 fn screen() -> impl Strategy<Value = ScreenSettings> {
@@ -225,27 +150,37 @@ fn screen() -> impl Strategy<Value = ScreenSettings> {
 
 fn quality_picture_and_screen() -> impl Strategy<Value = (QualitySettings, PictureSettings, ScreenSettings)> {
     let goal = prop_oneof![number(ERROR_PX).prop_map(Goal::Error), number(BUDGET_MS).prop_map(Goal::Budget)];
-    let quality = (choice::<RendererChoice>(), goal, any::<bool>())
-        .prop_map(|(renderer, goal, refine)| QualitySettings { renderer, goal, refine });
+    let quality = goal.prop_map(|goal| QualitySettings { goal, ..QualitySettings::default() });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
     let pairs: Vec<_> = Layout::value_variants().iter().copied().filter(|layout| layout.has_both()).collect();
     let swapped = proptest::sample::subsequence(pairs.clone(), 0..=pairs.len())
         .prop_map(|layouts| layouts.into_iter().fold(Swapped::default(), Swapped::toggled));
-    let picture = (size, choice::<Layout>(), swapped, any::<bool>(), 1..=16u32).prop_map(
-        |(size, layout, swapped, labels, samples)| PictureSettings { size, layout, swapped, labels, samples },
-    );
+    let picture = (size, swapped, 1..=16u32).prop_map(|(size, swapped, samples)| PictureSettings {
+        size,
+        swapped,
+        samples,
+        ..PictureSettings::default()
+    });
     (quality, picture, screen())
 }
 
-fn playback_map_and_plots() -> impl Strategy<Value = (PlaybackSettings, MapSettings, PlotSettings)> {
-    let playback = (number(RATE), any::<bool>(), range())
-        .prop_map(|(rate, looping, range)| PlaybackSettings { rate, looping, range });
-    let plots = (choice::<PlotTab>(), choice::<Coordinates>(), any::<[bool; 2]>()).prop_map(
-        |(plot, coordinates, [published, heat_map])| PlotSettings { plot, coordinates, published, heat_map },
-    );
-    let map = (choice::<MapFace>(), choice::<MapFrame>(), choice::<MapFraming>())
-        .prop_map(|(face, frame, framing)| MapSettings { face, frame, framing });
-    (playback, map, plots)
+fn playback() -> impl Strategy<Value = PlaybackSettings> {
+    (number(RATE), range()).prop_map(|(rate, range)| PlaybackSettings {
+        rate,
+        range,
+        ..PlaybackSettings::default()
+    })
+}
+
+/// Returns flags that give every setting which takes nothing but words one of these.
+fn words_of_all() -> impl Strategy<Value = Vec<String>> {
+    let closed = about_all().iter().filter(|about| !about.is_open && !about.words.is_empty());
+    let flag = |about: &'static About| {
+        let words: Vec<_> =
+            about.words.iter().map(|word| format!("--{}={}", about.name, word.name)).collect();
+        proptest::sample::select(words)
+    };
+    closed.map(flag).collect::<Vec<_>>()
 }
 
 fn settings() -> impl Strategy<Value = Settings> {
@@ -257,47 +192,35 @@ fn settings() -> impl Strategy<Value = Settings> {
         proptest::option::of([number(PLACE), number(PLACE), number(PLACE)]),
         proptest::option::of(proptest::collection::vec(followed, 1..4).prop_map(Followed)),
     );
-    (
-        top,
-        (motion(), riding()),
-        look(),
-        light(),
-        quality_picture_and_screen(),
-        playback_map_and_plots(),
-        fit(),
-        window(),
-    )
-        .prop_map(
-            |(
-                (scene, time, point, points),
-                (motion, ride),
+    let sections =
+        ((motion(), riding()), look(), light(), quality_picture_and_screen(), playback(), fit(), window());
+    (top, sections, words_of_all()).prop_map(
+        |(
+            (scene, time, point, points),
+            ((motion, ride), look, light, (quality, picture, screen), playback, fit, window),
+            words,
+        )| {
+            let mut settings = Settings {
+                scene,
+                time,
+                point,
+                points,
+                motion,
+                ride,
                 look,
                 light,
-                (quality, picture, screen),
-                (playback, map, plots),
+                quality,
+                picture,
+                screen,
+                playback,
                 fit,
                 window,
-            )| {
-                Settings {
-                    scene,
-                    time,
-                    point,
-                    points,
-                    motion,
-                    ride,
-                    look,
-                    light,
-                    quality,
-                    picture,
-                    screen,
-                    playback,
-                    map,
-                    plots,
-                    fit,
-                    window,
-                }
-            },
-        )
+                ..Settings::default()
+            };
+            settings.set(words).expect("each takes its words");
+            settings
+        },
+    )
 }
 
 /// The settings that a file by `gamow render` records.
@@ -325,7 +248,10 @@ fn through_file(settings: &Settings, path: &Path) -> Settings {
 fn a_thousand_states_survive_every_file_and_flags() {
     let folder = tempfile::tempdir().expect("there is a place for temporary files");
     let mut runner = TestRunner::new(Config { cases: 1000, failure_persistence: None, ..Config::default() });
+    let (default, drawn) = (Settings::default().entries(), RefCell::new(BTreeSet::new()));
     let outcome = runner.run(&settings(), |state| {
+        let changed = state.entries().into_iter().filter(|entry| !default.contains(entry));
+        drawn.borrow_mut().extend(changed.map(|entry| entry.key));
         let text = state.to_toml();
         prop_assert_eq!(
             &Settings::default().with_toml(&text, "state.toml").expect("it is right"),
@@ -346,6 +272,9 @@ fn a_thousand_states_survive_every_file_and_flags() {
         Ok(())
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));
+    for (section, name) in entries::names() {
+        assert!(drawn.borrow().contains(name), "[{section}] {name} had its default in all of them");
+    }
 }
 
 #[test]
