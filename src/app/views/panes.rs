@@ -6,11 +6,12 @@ use relativity_render::picture::compose::Top;
 
 use crate::app::widgets::theme::{GAP, TITLE_HEIGHT};
 use crate::eye::Eye;
+use crate::flags::OnOff;
 use crate::flags::choices::{Form, Layout};
-use crate::settings::{PictureSettings, Settings};
+use crate::settings::{PictureSettings, Settings, WindowSettings};
 
-/// The contents of a pane. To add one, add a variant, a file in `panels`, an arm in `shell/panes.rs`, and its
-/// switch among the settings.
+/// The contents of a pane. To add one beside the eyes, add a variant, its row in [`BESIDE`], a file in
+/// `panels`, an arm in `shell/panes.rs`, and its switch among the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PaneContent {
     /// The view of one eye.
@@ -21,6 +22,31 @@ pub enum PaneContent {
     Both,
     /// The left eye's picture, corrected.
     Corrected,
+}
+
+/// A pane that stands beside the eyes' pictures where its setting is on.
+#[derive(Debug)]
+pub struct PaneBeside {
+    /// Contents of the pane.
+    pub content: PaneContent,
+    /// Name of the setting that shows it, and of its control.
+    pub name: &'static str,
+    /// The setting itself.
+    pub switch: fn(&mut WindowSettings) -> &mut OnOff,
+}
+
+/// The panes beside the eyes' pictures, from the left.
+pub const BESIDE: [PaneBeside; 1] = [PaneBeside {
+    content: PaneContent::Corrected,
+    name: "corrected",
+    switch: |window| &mut window.corrected,
+}];
+
+impl PaneBeside {
+    /// Whether the pane is shown in a window with these settings.
+    fn is_shown(&self, mut window: WindowSettings) -> bool {
+        *(self.switch)(&mut window)
+    }
 }
 
 /// A pane of the views' area.
@@ -61,8 +87,8 @@ pub struct Arrangement {
     picture: PictureSettings,
     /// Whether both pictures are of the left eye.
     is_comparing: bool,
-    /// Whether the corrected picture is beside those of the eyes.
-    corrected: bool,
+    /// The panes of [`BESIDE`] that are shown.
+    beside: [bool; BESIDE.len()],
     /// For free viewing, how far apart the middles of pictures are at most, points.
     apart: f32,
     /// Height of titles, points; 0 before an audience.
@@ -91,7 +117,8 @@ impl Arrangement {
         let apart = (0.1 * screen.picture_distance / cm_per_point) as f32;
         let (is_comparing, title) = (settings.is_comparing(), scale * TITLE_HEIGHT);
         let band = if settings.has_ruler() { scale * BAND } else { 0.0 };
-        Self { picture: *picture, is_comparing, corrected: window.corrected, apart, title, band, scale }
+        let beside = BESIDE.map(|pane| pane.is_shown(*window));
+        Self { picture: *picture, is_comparing, beside, apart, title, band, scale }
     }
 
     /// Returns the arrangement before an audience: the names of several pictures stand in the bands below
@@ -109,13 +136,7 @@ impl Arrangement {
 
     /// Whether there is a single picture.
     fn is_alone(&self) -> bool {
-        !self.corrected && !matches!(self.picture.layout.form(), Form::Beside | Form::Above)
-    }
-
-    /// Returns this arrangement without the corrected picture.
-    #[must_use]
-    pub const fn without_corrected(self) -> Self {
-        Self { corrected: false, ..self }
+        !self.beside.contains(&true) && !matches!(self.picture.layout.form(), Form::Beside | Form::Above)
     }
 
     /// The panes in `area`.
@@ -123,7 +144,9 @@ impl Arrangement {
     pub fn panes(&self, area: Rect) -> Vec<Pane> {
         let form = self.picture.layout.form();
         let of_eyes = if form == Form::Beside { 2.0 } else { 1.0 };
-        let columns = if self.corrected { of_eyes + 1.0 } else { of_eyes };
+        let shown = BESIDE.into_iter().zip(self.beside).filter(|(_, is_shown)| *is_shown);
+        let beside: Vec<_> = shown.map(|(pane, _)| pane.content).collect();
+        let columns = of_eyes + beside.len() as f32;
         let width = ((area.width() - GAP * (columns - 1.0)) / columns).max(1.0);
         let is_narrow = area.height() - self.title - self.band >= LEAST_ABOVE_BAND * width;
         let has_band = is_narrow || area.height() >= self.scale * LEAST_WITH_BAND;
@@ -155,8 +178,8 @@ impl Arrangement {
             }
             Form::Composed(_) | Form::InTurn => vec![pane(PaneContent::Both, column(0.0, width))],
         };
-        if self.corrected {
-            panes.push(pane(PaneContent::Corrected, column(columns - 1.0, width)));
+        for (number, content) in beside.into_iter().enumerate() {
+            panes.push(pane(content, column(of_eyes + number as f32, width)));
         }
         panes
     }
@@ -166,7 +189,7 @@ impl Arrangement {
     #[must_use]
     pub fn whole_screen(&self, area: Rect) -> Option<Vec<Pane>> {
         let halves = [Layout::HalfSideBySide, Layout::HalfOverUnder];
-        let whole = Self { corrected: false, title: 0.0, band: 0.0, ..*self };
+        let whole = Self { beside: [false; BESIDE.len()], title: 0.0, band: 0.0, ..*self };
         halves.contains(&self.picture.layout).then(|| whole.panes(area))
     }
 
@@ -325,18 +348,19 @@ mod tests {
 
     const AREA: Rect = Rect::from_min_max(pos2(8.0, 46.0), pos2(940.0, 420.0));
 
-    fn arrangement(layout: Layout, corrected: bool) -> Arrangement {
+    fn arrangement(layout: Layout, has_beside: bool) -> Arrangement {
         let picture = PictureSettings { layout, ..PictureSettings::default() };
         let (title, band, scale) = (TITLE_HEIGHT, BAND, 1.0);
-        Arrangement { picture, is_comparing: false, corrected, apart: 227.0, title, band, scale }
+        let beside = [has_beside; BESIDE.len()];
+        Arrangement { picture, is_comparing: false, beside, apart: 227.0, title, band, scale }
     }
 
     #[test]
     fn every_layout_fills_the_views_and_its_panes_do_not_overlap() {
         for &layout in Layout::value_variants() {
-            for corrected in [false, true] {
+            for has_beside in [false, true] {
                 for area in [AREA, Rect::from_min_size(pos2(0.0, 0.0), vec2(3.0, 2.0))] {
-                    let panes = arrangement(layout, corrected).panes(area);
+                    let panes = arrangement(layout, has_beside).panes(area);
                     for (i, pane) in panes.iter().enumerate() {
                         let is_wide_enough =
                             area.width() < 20.0 || area.expand(0.01).contains_rect(pane.rect);
@@ -348,7 +372,7 @@ mod tests {
                     }
                 }
                 let with_band = |pane: &Pane| pane.rect.area() + pane.band * pane.rect.width();
-                let covered: f32 = arrangement(layout, corrected).panes(AREA).iter().map(with_band).sum();
+                let covered: f32 = arrangement(layout, has_beside).panes(AREA).iter().map(with_band).sum();
                 let is_narrow = layout == Layout::FreeViewing;
                 assert!(is_narrow || covered > 0.85 * AREA.area(), "{layout:?}: {covered}");
             }

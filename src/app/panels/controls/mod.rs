@@ -21,6 +21,7 @@ use crate::app::state::State;
 use crate::app::state::defaults::Section;
 use crate::app::views::dial;
 use crate::app::views::layouts::{self, LAYOUTS};
+use crate::app::views::panes::BESIDE;
 use crate::app::widgets::theme;
 use crate::app::widgets::{Edit, NumberRow, choice, choice_of, explained_lazily, row, section};
 use crate::flags::choices::GazeChoice;
@@ -265,7 +266,9 @@ const LIGHT_CONES: [(Geometry, &str); 3] =
 fn more_rows(ui: &mut Ui, before: WindowSettings, unit: Unit, commands: &mut Commands) {
     let mut window = before;
     row(ui, "Also show", "Chooses what stands beside the views, and what is drawn into them.", |ui| {
-        ui.checkbox(&mut window.corrected, "corrected").on_hover_text(about("corrected"));
+        for pane in &BESIDE {
+            ui.checkbox((pane.switch)(&mut window), pane.name).on_hover_text(about(pane.name));
+        }
         ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit, false));
         let resting =
             with_keys(about("resting"), &[Command::Settings(SettingsCommand::Switch(Switch::Resting))]);
