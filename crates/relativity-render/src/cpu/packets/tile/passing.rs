@@ -85,29 +85,26 @@ pub fn may_show<S: Simd>(
     let along = anchor.dot(n);
     let most = (ray.to_centre + along + longest).max(0.0) * spread;
     let rounding = (anchor.length() + longest) * 1e-5;
-    let (is_off, begins) = match kind {
-        Kind::Box | Kind::Model => {
-            // Within `most` of the middle ray is what other rays meet, so that it meets a box so much larger.
-            let [enters, leaves] = block::passage(body, ray, most + rounding);
-            let is_off = (enters - leaves).simd_gt((enters.abs() + leaves.abs()) * 1e-5);
-            (is_off, enters)
+    let (is_off, begins) = if matches!(kind, Kind::Box | Kind::Model) {
+        // Within `most` of the middle ray is what other rays meet, so that it meets a box so much larger.
+        let [enters, leaves] = block::passage(body, ray, most + rounding);
+        let is_off = (enters - leaves).simd_gt((enters.abs() + leaves.abs()) * 1e-5);
+        (is_off, enters)
+    } else {
+        let axis = half * (1.0 / extent.max(1e-30));
+        let nearest = nearest_to(anchor, ray);
+        let cosine = axis.dot(n);
+        let across: V3<S> = axis.cross(n);
+        let sine_squared = across.dot(across).max(1e-12);
+        let closest = nearest.dot(axis) / sine_squared;
+        let on_segment = clamp(closest, -extent, extent);
+        let miss = nearest + (n * cosine - axis) * on_segment;
+        // A miss that is no number is none.
+        let mut off = miss.length() * (1.0 - 1e-5) - capsule.radius * (1.0 + 1e-5);
+        if kind == Kind::Ring {
+            off = off.max(ring::least_miss(body, ray) * (1.0 - 1e-5) - longest * 1e-5);
         }
-        Kind::Tube | Kind::Ring | Kind::Cylinder => {
-            let axis = half * (1.0 / extent.max(1e-30));
-            let nearest = nearest_to(anchor, ray);
-            let cosine = axis.dot(n);
-            let across: V3<S> = axis.cross(n);
-            let sine_squared = across.dot(across).max(1e-12);
-            let closest = nearest.dot(axis) / sine_squared;
-            let on_segment = clamp(closest, -extent, extent);
-            let miss = nearest + (n * cosine - axis) * on_segment;
-            // A miss that is no number is none.
-            let mut off = miss.length() * (1.0 - 1e-5) - capsule.radius * (1.0 + 1e-5);
-            if kind == Kind::Ring {
-                off = off.max(ring::least_miss(body, ray) * (1.0 - 1e-5) - longest * 1e-5);
-            }
-            (off.simd_gt(most), -cosine.abs() * extent - capsule.radius)
-        }
+        (off.simd_gt(most), -cosine.abs() * extent - capsule.radius)
     };
     let from_eye = ray.to_centre + along + begins;
     let is_behind = (from_eye - from_eye.abs() * 1e-5 - most - rounding).simd_gt(farthest);
