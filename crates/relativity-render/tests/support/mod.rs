@@ -1,9 +1,12 @@
-//! Helpers that several tests share: spread numbers, signed distances, and the figures of the documentation.
+//! Helpers that several tests share: spread numbers, the figures of the documentation, and each shape by its
+//! definition.
 
 #![allow(dead_code, reason = "each program that includes this module uses its own part")]
 #![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
 
-use glam::{DQuat, DVec3};
+use std::f64::consts::TAU;
+
+use glam::{DMat3, DQuat, DVec3};
 use relativity_render::Shape;
 
 /// The figure that follows `before` in the comments of `source`: what is written is what tests hold it to.
@@ -69,5 +72,68 @@ pub fn signed_distance(shape: &Shape, p: DVec3) -> f64 {
             let [off, along] = [p.cross(axis).length() - radius, p.dot(axis).abs() - 0.5 * from.distance(to)];
             off.max(0.0).hypot(along.max(0.0)) + off.max(along).min(0.0)
         }
+    }
+}
+
+/// Returns a point on the surface of `shape` and the unit normal there; both coordinates go from 0 to 1.
+#[must_use]
+pub fn surface_point(shape: &Shape, [u, v]: [f64; 2]) -> (DVec3, DVec3) {
+    let turn = |axis: DVec3, share: f64| {
+        let (first, second) = axis.normalize().any_orthonormal_pair();
+        let angle = TAU * share;
+        first * angle.cos() + second * angle.sin()
+    };
+    let (skeleton, normal, radius) = match *shape {
+        Shape::Sphere { centre, radius } => {
+            let z = 2.0 * v - 1.0;
+            (centre.into(), turn(DVec3::Z, u) * (1.0 - z * z).sqrt() + DVec3::Z * z, radius)
+        }
+        Shape::Tube { from, to, radius } => {
+            let (from, to) = (DVec3::from(from), DVec3::from(to));
+            (from.lerp(to, v), turn(to - from, u), radius)
+        }
+        Shape::Ring { centre, axis, radius, tube_radius } => {
+            let outwards = turn(axis.into(), u);
+            let angle = TAU * v;
+            let normal = outwards * angle.cos() + DVec3::from(axis) * angle.sin();
+            (DVec3::from(centre) + outwards * radius, normal, tube_radius)
+        }
+        Shape::Box { centre, half, turn } => {
+            let axes = DMat3::from_quat(DQuat::from_array(turn));
+            let face = (6.0 * u) as usize;
+            let side = if face.is_multiple_of(2) { 1.0 } else { -1.0 };
+            let mut place = DVec3::new(2.0 * v - 1.0, 12.0 * u.fract() % 2.0 - 1.0, 1.0 - 2.0 * v);
+            place[face / 2] = 0.0;
+            let normal = axes.col(face / 2) * side;
+            (DVec3::from(centre) + axes * (place * DVec3::from(half)), normal, half[face / 2])
+        }
+        Shape::Cylinder { from, to, radius } => {
+            let (from, to) = (DVec3::from(from), DVec3::from(to));
+            let axis = (to - from).normalize();
+            if u < 0.3 {
+                (from + turn(axis, v) * (radius * u / 0.3), -axis, 0.0)
+            } else {
+                (from.lerp(to, v), turn(axis, u), radius)
+            }
+        }
+    };
+    (skeleton + normal * radius, normal)
+}
+
+/// Returns `shape` in a mirror across x.
+#[must_use]
+pub fn mirrored(shape: &Shape) -> Shape {
+    let place = |[x, y, z]: [f64; 3]| [-x, y, z];
+    match *shape {
+        Shape::Sphere { centre, radius } => Shape::Sphere { centre: place(centre), radius },
+        Shape::Tube { from, to, radius } => Shape::Tube { from: place(from), to: place(to), radius },
+        Shape::Ring { centre, axis, radius, tube_radius } => {
+            Shape::Ring { centre: place(centre), axis: place(axis), radius, tube_radius }
+        }
+        // A mirror turns the other way about axes along it.
+        Shape::Box { centre, half, turn: [x, y, z, w] } => {
+            Shape::Box { centre: place(centre), half, turn: [x, -y, -z, w] }
+        }
+        Shape::Cylinder { from, to, radius } => Shape::Cylinder { from: place(from), to: place(to), radius },
     }
 }
