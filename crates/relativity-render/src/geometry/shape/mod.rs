@@ -208,9 +208,7 @@ questions! {
     pub fn ball_around() -> ([f64; 3], f64);
     /// The point with the largest x, at rest; any of them where there are several.
     pub fn forward_most() -> DVec3;
-    /// Places at rest: along the middle lines of what is slender, tubes and rings; on balls where they end
-    /// along the axes; the corners, middles of edges and middles of faces of boxes; around both ends of
-    /// cylinders.
+    /// Places at rest that stand for all of it, such as the corners of a box.
     pub fn samples() -> Vec<DVec3>;
     /// The middles of both ends at rest, of what has ends.
     pub fn ends() -> Option<[[f64; 3]; 2]>;
