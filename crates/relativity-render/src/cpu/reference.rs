@@ -254,16 +254,13 @@ impl PreparedScene {
         mark: impl Fn(&Hit) -> f64,
         surface: impl Fn(&Hit) -> [f64; 3],
     ) -> [f64; 3] {
-        let ground_distance = backdrop.ground_distance(line_of_sight);
-        match (hit, ground_distance) {
-            (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
-                let body = &self.bodies()[hit.body];
-                let colour = surface(&hit);
-                let mark = if body.marking.is_some() { mark(&hit) } else { 1.0 };
-                colour.map(|part| part * mark)
-            }
-            _ => backdrop.behind(line_of_sight),
-        }
+        let is_above_ground = |hit: &Hit| {
+            backdrop.ground_distance(line_of_sight).is_none_or(|distance| hit.distance <= distance)
+        };
+        let Some(hit) = hit.filter(is_above_ground) else { return backdrop.behind(line_of_sight) };
+        let colour = surface(&hit);
+        let mark = if self.bodies()[hit.body].marking.is_some() { mark(&hit) } else { 1.0 };
+        colour.map(|part| part * mark)
     }
 
     /// Returns one value per pixel of `view`, row by row, from the hits of `samples` times `samples` rays in
