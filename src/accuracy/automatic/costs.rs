@@ -39,7 +39,7 @@ const MEGAPIXEL: f64 = 1e6;
 /// The costs of a scene's pictures.
 #[derive(Debug, Clone)]
 pub struct Costs {
-    /// Hardware that draws.
+    /// The kind of hardware that draws, on which expected costs depend.
     pub machine: Machine,
     /// Rays per pixel of the reference are the square of this.
     samples: u32,

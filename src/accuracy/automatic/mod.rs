@@ -47,7 +47,7 @@ pub struct MethodViews<'a> {
 /// The automatic choice: the cheapest method that keeps an error, or the most accurate that keeps a time.
 #[derive(Debug)]
 pub struct Automatic {
-    /// Known costs.
+    /// The costs that were measured, from which others are expected.
     pub costs: Costs,
     scene: Option<PreparedScene>,
     /// Methods that drew views of each kind last.

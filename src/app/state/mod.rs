@@ -201,7 +201,7 @@ impl State {
         Ok(())
     }
 
-    /// Has these settings as [`Self::set`], or tells why they cannot be had.
+    /// Applies these settings by [`Self::set`], and shows an error as a notice.
     pub(in crate::app) fn set_or_tell(&mut self, settings: Settings) {
         if let Err(error) = self.set(settings) {
             self.tell(Notice::error(error));

@@ -24,14 +24,14 @@ pub enum PaneContent {
     Corrected,
 }
 
-/// A pane that stands beside the eyes' pictures where its setting is on.
+/// A pane beside the eyes' pictures, shown while its setting is on.
 #[derive(Debug)]
 pub struct PaneBeside {
     /// Contents of the pane.
     pub content: PaneContent,
     /// Name of the setting that shows it, and of its control.
     pub name: &'static str,
-    /// The setting itself.
+    /// The place of that setting in the section of the window.
     pub switch: fn(&mut WindowSettings) -> &mut OnOff,
 }
 

@@ -49,11 +49,11 @@ type FromHeader<R> = Chain<Cursor<Vec<u8>>, Decoded<R>>;
 pub struct CsvReader<R> {
     csv: csv::Reader<Tap<FromHeader<R>>>,
     separator: u8,
-    /// What stands before the header.
+    /// The lines before the header, and the encoding.
     pub preamble: Preamble,
 }
 
-/// What stands before the header, and how the file is encoded.
+/// The lines before the header of a file, and its encoding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Preamble {
     /// Whether the file is in UTF-16.

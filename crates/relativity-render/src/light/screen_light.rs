@@ -273,8 +273,8 @@ pub fn received_intensity(emission: Emission, appearance: &Appearance, doppler_f
     received / at_rest
 }
 
-/// Returns `light`, as [`Light::packed`] has it, with this packed `exposure`: light that is looked up in
-/// tables, or that at rest. Shaders have the same.
+/// Applies an exposure of [`packed_exposure`] to light of [`Light::packed`]: its log2 is added to that of
+/// light that is looked up in tables, light at rest is multiplied. `shaders/colour.wgsl` computes the same.
 pub(crate) fn exposed(light: [f32; 4], exposure: [f32; 4], is_looked_up: bool) -> [f32; 4] {
     let [log2_exposure, factor, _, _] = exposure;
     let [x, y, z, w] = light;

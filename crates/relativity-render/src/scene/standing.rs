@@ -88,7 +88,7 @@ impl StandingBodies {
     }
 }
 
-/// Whether a body is drawn where it stands: not one that turns out of its place, nor a repetition.
+/// Whether a body is drawn at its place: it neither turns out of it nor repeats another body.
 const fn is_standing(body: &PreparedBody) -> bool {
     !body.is_turned && !body.is_repeated
 }

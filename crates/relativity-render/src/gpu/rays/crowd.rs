@@ -261,8 +261,8 @@ mod tests {
         })
     }
 
-    /// Each body of a cluster is as small, as thin and as thick as the verdict says, and most of the small
-    /// ones are left to the device.
+    /// Every body of a placed cluster keeps the bounds of its verdict on size and thickness, and most small
+    /// bodies are placed by the device.
     #[test]
     fn verdicts_hold_for_each_body() {
         let scene = scene();

@@ -184,7 +184,7 @@ pub fn pattern_normal<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> V3<S> {
     V3::select(is_end, V3::new(zero, zero, sign_of(place.z)), side)
 }
 
-/// Returns the chart of a place on the body, in its own axes, as `shaders/cylinder.wgsl` has it.
+/// Returns the chart of a place on the body, in its own axes. `shaders/cylinder.wgsl` computes the same.
 #[inline(always)]
 pub fn chart<S: Simd>(
     body: &PacketBody<S>,

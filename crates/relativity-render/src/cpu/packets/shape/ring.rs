@@ -203,7 +203,7 @@ fn torus_normal<S: Simd>(place: V3<S>, body: &PacketBody<S>) -> V3<S> {
     outward / outward.length().max(1e-30)
 }
 
-/// Returns the chart of a place on the body, in its own axes, as `shaders/ring.wgsl` has it.
+/// Returns the chart of a place on the body, in its own axes. `shaders/ring.wgsl` computes the same.
 #[inline(always)]
 pub fn chart<S: Simd>(body: &PacketBody<S>, place: V3<S>) -> SurfacePlaces<S> {
     let off = OffAxis::new(place);

@@ -79,7 +79,7 @@ pub fn surface<S: Simd>(body: &PacketBody<S>, ray: &RestRays<S>, limits: Option<
     Surface { clearance, half_width: body.radius, outward, beyond, place, normal }
 }
 
-/// Returns the chart of a place on the body, in its own axes, as `shaders/tube.wgsl` has it.
+/// Returns the chart of a place on the body, in its own axes. `shaders/tube.wgsl` computes the same.
 #[inline(always)]
 pub fn chart<S: Simd>(
     body: &PacketBody<S>,
